@@ -1,0 +1,32 @@
+//> The table of algorithms
+// An algorithm is a row in one table. Whatever is in it is listed by
+// `near --list`, faces every test of the corpus, and can be named in
+// an experiment. The table exists twice in a program: algorithms[],
+// and counting_algorithms[], whose functions count what they do.
+#pragma once
+#include "common/count.h"
+#include "common/question.h"
+
+enum answer { NEAREST = 1, FURTHEST = 2 }; // bits of a set
+
+struct algorithm {
+    const char *name;    // as in near -a NAME
+    int chapter;         // where the book builds it
+    unsigned geometries; // set of enum geometry
+    unsigned answers;    // set of enum answer
+    const char *cost;    // of all n answers
+    const char *about;   // one line
+    void (*run)(const struct question *, struct answers *);
+};
+
+extern const struct algorithm algorithms[], counting_algorithms[];
+extern const int algorithm_count;
+
+// NULL if there is no such row.
+const struct algorithm *find_algorithm(const char *name);
+
+// Runs the row's counting twin once and returns what it counted.
+struct counts count_operations(const struct algorithm *algorithm,
+                               const struct question *question,
+                               struct answers *answers);
+//<

@@ -1,0 +1,22 @@
+//> The question and its answers
+// What every algorithm of the book is asked, and where it answers.
+#pragma once
+#include "geometry.h"
+#include "points.h"
+
+struct question {
+    struct points points; // n >= 2, all coordinates finite
+    struct space space;   // wraparound: the box holds all points
+    int threads;          // >= 1
+};
+
+// Arrays of n, owned by the caller; those of an answer that the
+// algorithm does not give may be NULL. A point is never its own
+// neighbor; a duplicate, at distance 0, is. Ties go to the lowest
+// index, so that every run gives the same answer.
+struct answers {
+    uint32_t *nearest, *furthest;    // index of the neighbor
+    double *nearest2, *furthest2;    // squared distance to it
+    int64_t built_ns; // clock_ns() when the structure stood; 0: none
+};
+//<

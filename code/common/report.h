@@ -1,0 +1,8 @@
+//> The head of a table of measurements
+// Says on what machine, with which compiler and flags, and when the
+// numbers below it were measured: lines that begin with '#'.
+#pragma once
+#include <stdio.h>
+
+void report_provenance(FILE *out);
+//<
