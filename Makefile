@@ -9,6 +9,9 @@ BUILD  ?= build
 WERROR ?=
 LUA    := texlua
 
+# The plainest processor of this machine's family.
+plainest := $(if $(filter x86_64,$(shell uname -m)),x86-64,native)
+
 override CFLAGS := -std=c17 -O3 -march=$(MARCH) -ffp-contract=off \
 	-fopenmp -Wall -Wextra -Wpedantic $(WERROR) $(CFLAGS)
 CPPFLAGS := -Icode -D_GNU_SOURCE -MMD -MP
@@ -37,7 +40,7 @@ programs: $(programs)
 # ---- set-up --------------------------------------------------------
 # Each stamp says that the tools for one kind of work are there.
 $(BUILD)/setup/%: setup
-	@./setup $*
+	@CC="$(CC)" ./setup $*
 	@mkdir -p $(@D) && touch $@
 
 # ---- modules, twice: as they are, and counting ---------------------
@@ -77,7 +80,7 @@ $(foreach c,$(mains),$(eval $(call program_rule,$(c))))
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)
 
-$(BUILD)/plain/tests/%.o: tests/%.c | $(BUILD)/setup/test
+$(BUILD)/plain/tests/%.o: tests/%.c | $(BUILD)/setup/code
 	@mkdir -p $(@D)
 	$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
 
@@ -93,6 +96,72 @@ $(foreach f,$(test_folders),$(eval $(call test_rule,$(f))))
 test: $(programs) $(test_programs) | $(BUILD)/setup/test
 	@BUILD=$(BUILD) CC="$(CC)" tests/run $(notdir $(wildcard tests/*/.))
 
+#: the tests with gcc and clang, and on the plainest processor, as CI
+test-all: | $(BUILD)/setup/check
+	$(MAKE) test CC=gcc BUILD=$(BUILD)/gcc WERROR=-Werror
+	$(MAKE) test CC=clang BUILD=$(BUILD)/clang WERROR=-Werror
+	$(MAKE) test CC=gcc BUILD=$(BUILD)/portable WERROR=-Werror MARCH=$(plainest)
+
+# ---- the book ------------------------------------------------------
+figures := $(patsubst book/figures/%.gp,$(BUILD)/figures/%.pdf,\
+	$(filter-out book/figures/style.gp,$(wildcard book/figures/*.gp)))
+press   := $(shell find book/press book/*.md book/*.bib exercises -type f)
+
+$(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp \
+		$(wildcard book/data/*.tsv) | $(BUILD)/setup/book
+	@mkdir -p $(@D)
+	gnuplot -e "format = 'pdf'; output = '$@'; data = 'book/data'" $<
+
+$(BUILD)/near-and-far.pdf: $(programs) $(figures) $(press) $(sources) \
+		$(wildcard chapters/*.md code/*.h code/*/*.h book/data/*.tsv) \
+		| $(BUILD)/setup/book
+	BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --build $(BUILD)
+
+#: the book's faults, without typesetting it
+check-book: $(programs) $(figures) | $(BUILD)/setup/test
+	BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --check --build $(BUILD)
+
+# ---- chapters and measurements -------------------------------------
+#: test and demonstrate chapter N
+chapterN:
+	@echo "say make chapter1, make chapter2, ..."
+
+define chapter_rule
+.PHONY: chapter$(1) measure$(1)
+chapter$(1): $(BUILD)/near $(filter $(BUILD)/ch$(2)/%,$(programs)) \
+		$(filter $(BUILD)/tests/ch$(2)%,$(test_programs)) | $(BUILD)/setup/code
+	@BUILD=$(BUILD) CC="$(CC)" book/experiments/demonstrate $(1)
+
+measure$(1): $(programs)
+	@BUILD=$(BUILD) CC="$(CC)" book/experiments/measure ch$(2)
+endef
+number_of = $(shell expr $(1) + 0)
+$(foreach c,$(chapters),$(eval $(call chapter_rule,$(call \
+	number_of,$(firstword $(subst -, ,$(c)))),$(firstword $(subst -, ,$(c))))))
+
+#: measure everything anew, in about 20 minutes
+measure: $(programs)
+	@BUILD=$(BUILD) CC="$(CC)" book/experiments/measure ch
+
+#: measure chapter N anew
+measureN:
+	@echo "say make measure1, make measure2, ..."
+
+# ---- checks --------------------------------------------------------
+#: data races: the planted one is found, and no other
+check-race: | $(BUILD)/setup/check
+	tests/check-race $(BUILD)/race
+
+#: every test under the address and undefined-behavior sanitizers
+check-memory: | $(BUILD)/setup/test
+	$(MAKE) test BUILD=$(BUILD)/memory \
+		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+		-fsanitize=address,undefined"
+
+#: lay out the C as .clang-format says
+format: | $(BUILD)/setup/check
+	clang-format -i $$(git ls-files '*.c' '*.h')
+
 #: remove everything generated
 clean:
 	rm -rf $(BUILD)
@@ -105,4 +174,5 @@ help:
 
 -include $(patsubst %.o,%.d,$(objects) $(counting)) $(wildcard $(BUILD)/plain/*/*.d $(BUILD)/plain/*/*/*.d)
 
-.PHONY: all programs test clean help
+.PHONY: all programs test test-all check-book chapterN measure measureN
+.PHONY: check-race check-memory format clean help
