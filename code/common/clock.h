@@ -14,8 +14,19 @@ struct summary {
 // Sorts values[0 .. n-1], n >= 1, and interpolates the quartiles.
 struct summary summarize(double *values, int n);
 
-// Runs work(context) once to warm up and then trials times; the
-// summary is in nanoseconds a run.
+// Something to be timed, and how long a run of it took, in nanoseconds.
+struct trial {
+    void (*work)(void *context);
+    void *context;
+    struct summary summary; // set by time_in_turn
+};
+
+// Runs every version once to warm up, then all of them in turn, trials
+// times over: what disturbs the machine disturbs them alike, and they
+// can be compared.
+void time_in_turn(int trials, struct trial *versions, int count);
+
+// The same for one version.
 struct summary time_trials(int trials, void (*work)(void *),
                            void *context);
 //<
