@@ -94,7 +94,7 @@ $(foreach f,$(test_folders),$(eval $(call test_rule,$(f))))
 
 #: every test: programs, command line, press, exercises
 test: $(programs) $(test_programs) | $(BUILD)/setup/test
-	@BUILD=$(BUILD) CC="$(CC)" tests/run $(notdir $(wildcard tests/*/.))
+	@BUILD=$(BUILD) CC="$(CC)" tests/run $(patsubst tests/%/.,%,$(wildcard tests/*/.))
 
 #: the tests with gcc and clang, and on the plainest processor, as CI
 test-all: | $(BUILD)/setup/check

@@ -1,4 +1,4 @@
-//> The table of algorithms
+//> Declare the table of algorithms
 // An algorithm is a row in one table. Whatever is in it is listed by
 // `near --list`, faces every test of the corpus, and can be named in
 // an experiment. The table exists twice in a program: algorithms[],
@@ -24,6 +24,10 @@ extern const int algorithm_count;
 
 // NULL if there is no such row.
 const struct algorithm *find_algorithm(const char *name);
+
+// The row to take where none is asked for; NULL if none fits.
+const struct algorithm *fastest_algorithm(enum geometry geometry,
+                                          enum answer answer);
 
 // Runs the row's counting twin once and returns what it counted.
 struct counts count_operations(const struct algorithm *algorithm,

@@ -1,4 +1,4 @@
-//> The clock and the trials
+//> Declare the clock and the trials
 // Time measured by the monotonic clock, in nanoseconds, and repeated
 // trials summed up by their median and quartiles: on a machine with
 // neighbors, a single time or a mean says little.

@@ -9,6 +9,10 @@ struct counts {
     uint64_t distances, cells, tasks, collisions;
 };
 
+// What was counted since the last call. It exists in the counting twin
+// only and is called through count_operations.
+struct counts counting_take(void);
+
 #ifdef COUNTING
 void count_add(uint64_t *counter, uint64_t amount);
 extern struct counts counts;

@@ -1,4 +1,4 @@
-//> The one way to fail
+//> Declare the one way to fail
 // A user's mistake, or a machine without memory, ends the program
 // here: one clear sentence on stderr, exit status 2.
 #pragma once

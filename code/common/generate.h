@@ -1,4 +1,4 @@
-//> The generators' interface
+//> Declare the generators
 // Point sets to try things on. The same name, n and seed give the same
 // points on every machine.
 #pragma once

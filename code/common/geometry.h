@@ -1,4 +1,4 @@
-//> The geometry module's interface
+//> Measure in two geometries
 // Squared distances in the two geometries. Along each axis, the
 // wraparound geometry may take a separation d as d or as (box - d):
 // the closest image takes the smaller on each axis, the furthest image

@@ -1,4 +1,4 @@
-//> The points module's interface
+//> Declare the points
 // Points in the plane, held as two arrays: all x, then all y. A loop
 // over the points then reads memory in order, and a vector unit can
 // load several x at once.

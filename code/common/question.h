@@ -1,4 +1,4 @@
-//> The question and its answers
+//> State the question and its answers
 // What every algorithm of the book is asked, and where it answers.
 #pragma once
 #include "geometry.h"

@@ -1,4 +1,4 @@
-//> The random numbers
+//> Declare the random numbers
 // SplitMix64 (Steele, Lea, Flood 2014): the same seed gives the same
 // points on every machine.
 #pragma once
@@ -11,4 +11,7 @@ struct random {
 uint64_t random_bits(struct random *random);
 double random_uniform(struct random *random); // in [0, 1)
 double random_normal(struct random *random);  // mean 0, variance 1
+
+// A unit vector, every direction equally likely (Marsaglia 1972).
+void random_direction(struct random *random, double *x, double *y);
 //<

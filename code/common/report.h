@@ -1,4 +1,4 @@
-//> The head of a table of measurements
+//> Declare the head of a table
 // Says on what machine, with which compiler and flags, and when the
 // numbers below it were measured: lines that begin with '#'.
 #pragma once

@@ -1,0 +1,3 @@
+#!/bin/sh
+# Distances from one point, in both geometries
+exec "$BUILD/ch01/images"

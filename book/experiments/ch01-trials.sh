@@ -1,0 +1,3 @@
+#!/bin/sh
+# The same sweep, timed again and again
+exec "$BUILD/ch01/trials" 1000
