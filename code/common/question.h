@@ -19,4 +19,8 @@ struct answers {
     double *nearest2, *furthest2;    // squared distance to it
     int64_t built_ns; // clock_ns() when the structure stood; 0: none
 };
+
+// Room for all four answers of n points, not yet set.
+struct answers answers_allocate(uint32_t n);
+void answers_free(struct answers *answers);
 //<
