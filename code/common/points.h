@@ -6,9 +6,9 @@
 #include <stdint.h>
 
 struct points {
-    uint32_t n;   // how many
-    double *x;    // x[0 .. n-1]
-    double *y;    // y[0 .. n-1]
+    uint32_t n; // how many
+    double *x;  // x[0 .. n-1]
+    double *y;  // y[0 .. n-1]
 };
 
 // Room for n points, coordinates not yet set. The caller releases it

@@ -15,8 +15,8 @@ struct question {
 // neighbor; a duplicate, at distance 0, is. Ties go to the lowest
 // index, so that every run gives the same answer.
 struct answers {
-    uint32_t *nearest, *furthest;    // index of the neighbor
-    double *nearest2, *furthest2;    // squared distance to it
+    uint32_t *nearest, *furthest; // index of the neighbor
+    double *nearest2, *furthest2; // squared distance to it
     int64_t built_ns; // clock_ns() when the structure stood; 0: none
 };
 
