@@ -1,0 +1,53 @@
+//> List the algorithms
+// To add one, include its header and add its row. Slowest first: where
+// no algorithm is asked for, the last row that fits is taken.
+#include "algorithms.h"
+#include <string.h>
+
+#ifdef COUNTING
+#define TABLE counting_algorithms
+#else
+#define TABLE algorithms
+#endif
+
+//> Give every algorithm its row
+const struct algorithm TABLE[] = {
+    {0} // the end
+};
+//<
+
+#ifndef COUNTING
+const int algorithm_count = sizeof algorithms / sizeof *algorithms - 1;
+
+//> Look an algorithm up
+const struct algorithm *find_algorithm(const char *name)
+{
+    for (int row = 0; row < algorithm_count; row++)
+        if (strcmp(algorithms[row].name, name) == 0)
+            return &algorithms[row];
+    return NULL;
+}
+
+const struct algorithm *fastest_algorithm(enum geometry geometry,
+                                          enum answer answer)
+{
+    for (int row = algorithm_count - 1; row >= 0; row--)
+        if (algorithms[row].geometries & geometry &&
+            algorithms[row].answers & answer)
+            return &algorithms[row];
+    return NULL;
+}
+//<
+
+//> Count an algorithm's operations
+struct counts count_operations(const struct algorithm *algorithm,
+                               const struct question *question,
+                               struct answers *answers)
+{
+    counting_take();
+    counting_algorithms[algorithm - algorithms].run(question, answers);
+    return counting_take();
+}
+//<
+#endif
+//<

@@ -1,0 +1,50 @@
+//> The module that fails
+// The program's name and what to clean up are the only state in the
+// book that is not passed as an argument: fail must work from anywhere.
+// There is one such state in a program, so the counting twin has none
+// of its own and uses this one.
+#include "fail.h"
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#ifndef COUNTING
+//> Say one sentence and end
+static const char *name = "near";
+static void (*clean_up)(void);
+
+void fail_as(const char *program, void (*cleanup)(void))
+{
+    name = program;
+    clean_up = cleanup;
+}
+
+_Noreturn void fail(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(stderr, "%s: ", name);
+    vfprintf(stderr, format, arguments);
+    fprintf(stderr, "\n");
+    va_end(arguments);
+    if (clean_up)
+        clean_up();
+    exit(2);
+}
+//<
+
+//> Get memory or give up
+void *allocate(size_t count, size_t size)
+{
+    if (size && count > (SIZE_MAX - 63) / size)
+        fail("%zu times %zu bytes are too many", count, size);
+    size_t bytes = (count * size + 63) / 64 * 64;
+    void *memory = aligned_alloc(64, bytes ? bytes : 64);
+    if (!memory)
+        fail("no memory for %zu bytes", bytes);
+    return memory;
+}
+//<
+#endif
+//<
