@@ -1,0 +1,180 @@
+-- The press inside pandoc: a filter that puts the book together. What
+-- is to be read stands in job.lua, which press.lua has written; faults
+-- and notes go back to it in files beside the job.
+local job = dofile(os.getenv("PRESS_JOB"))
+package.path = job.press .. "/?.lua;" .. package.path
+
+local exercises = require "exercises"
+local faults = require "faults"
+local files = require "files"
+local fragments = require "fragments"
+local latex = require "latex"
+local source = require "source"
+local values = require "values"
+local weave = require "weave"
+
+local stringify = pandoc.utils.stringify
+
+local function raw_block(text, ...)
+  return pandoc.RawBlock("latex", text:format(...))
+end
+
+-- The keys of a BibTeX file.
+local function keys_of(path)
+  local keys = {}
+  for _, line in ipairs(files.lines(path)) do
+    local key = line:match("^%s*@%a+%s*{%s*([^,%s]+)%s*,")
+    if key then keys[key] = true end
+  end
+  return keys
+end
+
+local book = {
+  job = job, labels = {}, references = {}, cited = {},
+  fragments = fragments.read(job.code),
+  bibliography = keys_of(job.bibliography),
+}
+values.load(job.data)
+weave.into(book)
+
+-- ---- parts and chapters ---------------------------------------------
+-- The part a chapter belongs to: the last that begins at or before it.
+local function part_of(parts, number)
+  local found
+  for i, part in ipairs(parts or {}) do
+    if number >= tonumber(stringify(part.first)) then
+      found = { number = i, title = stringify(part.title) }
+    end
+  end
+  return found
+end
+
+local function exercises_of(chapter, list)
+  local result = pandoc.List()
+  for _, path in ipairs(job.exercises[chapter.id] or {}) do
+    local blocks, line = exercises.read(job, chapter, path)
+    if #result == 0 then
+      result:insert(raw_block("\\exercises{%s}", chapter.id))
+    end
+    result:extend(blocks)
+    table.insert(list, line)
+  end
+  return result
+end
+
+local function answers_to(chapter)
+  local result = pandoc.List()
+  if #chapter.answers > 0 then
+    result:insert(raw_block("\\answers{%s}", chapter.id))
+  end
+  for _, answer in ipairs(chapter.answers) do result:extend(answer) end
+  return result
+end
+
+-- A chapter's blocks: its text, the answers, the exercises. The first
+-- line of its file is its title.
+local function read_chapter(path, chapter, exercise_list)
+  local doc = pandoc.read(files.read(path), job.dialect)
+  local text = source.open(path)
+  local title = doc.blocks[1]
+  if not title or title.t ~= "Header" or title.level ~= 1 then
+    faults.add(path, 1, "a chapter begins with its title")
+    title = pandoc.Header(1, { pandoc.Str("?") })
+  else
+    doc.blocks:remove(1)
+  end
+  chapter.source, chapter.answers = text, {}
+  weave.label("ch:" .. chapter.id, path, 1)
+  local blocks = weave.text(chapter, doc.blocks)
+  local opened = pandoc.Plain(title.content)
+  opened.content:insert(1, pandoc.RawInline("latex",
+    ("\\pressat{%s:1}\\openchapter{%s}{%s}{"):format(path, chapter.id,
+      chapter.number or "")))
+  opened.content:insert(pandoc.RawInline("latex", "}"))
+  blocks:insert(1, opened)
+  blocks:extend(answers_to(chapter))
+  if chapter.number then
+    blocks:extend(exercises_of(chapter, exercise_list))
+  end
+  blocks:insert(raw_block("\\closechapter{%s}", chapter.id))
+  return blocks
+end
+
+-- ---- the lists at the end ---------------------------------------------
+local function index_of_fragments()
+  local shown = {}
+  for _, fragment in ipairs(book.fragments.list) do
+    if fragment.shown then table.insert(shown, fragment) end
+  end
+  table.sort(shown, function(a, b)
+    return a.title:lower() < b.title:lower()
+  end)
+  local lines = { "\\fragmentindex" }
+  for _, fragment in ipairs(shown) do
+    table.insert(lines, ("\\fragmentindexline{frag:%d}{%s}"):format(
+      fragment.id, latex.text(fragment.title)))
+  end
+  table.insert(lines, "\\closefragmentindex")
+  return raw_block("%s", table.concat(lines, "\n"))
+end
+
+local function assemble(meta)
+  local blocks, exercise_list = pandoc.List(), {}
+  local front = pandoc.read(files.read(job.front), job.dialect)
+  for key, value in pairs(front.meta) do meta[key] = value end
+  blocks:insert(raw_block("\\frontmatter\\makebook"))
+  blocks:extend(weave.text({ source = source.open(job.front),
+    id = "front", front = true, answers = {} }, front.blocks))
+  blocks:insert(raw_block("\\mainmatter"))
+  local part
+  for _, path in ipairs(job.chapters) do
+    local id = files.name(path):match("^ch%d%d")
+    local number = tonumber(id:sub(3))
+    local this = part_of(front.meta.parts, number)
+    if this and (not part or part.number ~= this.number) then
+      blocks:insert(raw_block("\\openpart{%d}{%s}", this.number,
+        latex.text(this.title)))
+      part = this
+    end
+    blocks:extend(read_chapter(path, { id = id, number = number },
+      exercise_list))
+  end
+  if #job.appendices > 0 then
+    blocks:insert(raw_block("\\appendix"))
+  end
+  for _, path in ipairs(job.appendices) do
+    blocks:extend(read_chapter(path, { id = files.name(path) },
+      exercise_list))
+  end
+  blocks:insert(raw_block("\\backmatter"))
+  if #exercise_list > 0 then
+    blocks:insert(raw_block("\\listofexercises\n%s",
+      table.concat(exercise_list, "\n")))
+  end
+  blocks:insert(index_of_fragments())
+  blocks:insert(raw_block("\\literature"))
+  blocks:insert(pandoc.Div({}, { id = "refs" }))
+  blocks:insert(raw_block("\\printindex"))
+  return blocks
+end
+
+-- Sources of numbers are in the bibliography, cited or not.
+local function also_cited()
+  local citations = pandoc.List()
+  for key in pairs(book.cited) do
+    citations:insert(pandoc.Citation(key, "NormalCitation"))
+  end
+  if #citations == 0 then return nil end
+  return pandoc.MetaInlines { pandoc.Cite({ pandoc.Str("") }, citations) }
+end
+
+function Pandoc(doc)
+  doc.blocks = assemble(doc.meta)
+  doc.meta.nocite = also_cited()
+  doc.meta.figures = job.build .. "/figures/"
+  weave.check_references()
+  fragments.check_shown(book.fragments)
+  files.write(job.folder .. "/faults", faults.report())
+  files.write(job.folder .. "/notes", faults.report_notes())
+  return doc
+end

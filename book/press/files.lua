@@ -1,0 +1,50 @@
+-- Whole files and their lines.
+local files = {}
+
+-- The text, or nil and why not.
+function files.read(path)
+  local file, why = io.open(path, "rb")
+  if not file then return nil, why end
+  local text = file:read("a")
+  file:close()
+  return text
+end
+
+function files.write(path, text)
+  local file = assert(io.open(path, "wb"))
+  assert(file:write(text))
+  assert(file:close())
+end
+
+function files.exists(path)
+  local file = io.open(path, "rb")
+  return file ~= nil and file:close()
+end
+
+-- The lines of a text, without their ends.
+function files.split(text)
+  local lines = {}
+  for line in (text:gsub("\r\n", "\n"):gsub("\n?$", "\n")):gmatch("(.-)\n") do
+    table.insert(lines, line)
+  end
+  return lines
+end
+
+function files.lines(path)
+  return files.split(files.read(path) or "")
+end
+
+-- "book/data/ch02-speeds.tsv" is called "ch02-speeds".
+function files.name(path)
+  return (path:gsub("^.*/", ""):gsub("%.[^.]*$", ""))
+end
+
+
+-- Whether a shell command succeeded; texlua's os.execute returns its
+-- status, other Luas' whether it is 0.
+function files.succeeds(command)
+  local result = os.execute(command)
+  return result == true or result == 0
+end
+
+return files

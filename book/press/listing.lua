@@ -1,0 +1,107 @@
+-- Code and output as LaTeX. The template says what it looks like: every
+-- line becomes a \codeline, every listing knows whether it may break.
+local c = require "c"
+local latex = require "latex"
+
+local listing = {}
+
+local KEEP_TOGETHER = 30 -- listings of so many lines never break
+
+function listing.code_line(line, in_comment)
+  local pieces
+  pieces, in_comment = c.pieces(line, in_comment)
+  for i, piece in ipairs(pieces) do
+    local kind, text = piece[1], latex.code(piece[2])
+    if kind == "keyword" then
+      text = "\\keyword{" .. text .. "}"
+    elseif kind == "comment" then
+      text = "\\comment{" .. text .. "}"
+    end
+    pieces[i] = text
+  end
+  return table.concat(pieces), in_comment
+end
+
+-- The lines one below the other. A long listing may break, best at a
+-- blank line, never within two lines of its ends.
+local function stacked(lines)
+  local result = {}
+  for i, line in ipairs(lines) do
+    table.insert(result, line == "" and "\\codeblank" or
+      "\\codeline{" .. line .. "}")
+    if i < #lines then
+      local near_end = i < 3 or i > #lines - 3
+      local penalty = (#lines <= KEEP_TOGETHER or near_end) and "\\keep"
+        or line == "" and "\\breakhere" or "\\breakifneeded"
+      table.insert(result, penalty)
+    end
+  end
+  return table.concat(result, "\n")
+end
+
+-- A nested fragment, on its line: its title and where it is.
+local function nested(item, indent)
+  return ("%s\\nestedfragment{frag:%d}{%s}"):format(
+    ("\\ "):rep(item.indent - indent), item.child.id,
+    latex.text(item.child.title))
+end
+
+-- A fragment with its title and where it is used.
+function listing.fragment(fragment)
+  local lines, in_comment = {}, false
+  for _, item in ipairs(fragment.items) do
+    if item.child then
+      table.insert(lines, nested(item, fragment.indent))
+    else
+      local line
+      line, in_comment = listing.code_line(item.text, in_comment)
+      table.insert(lines, line)
+    end
+  end
+  local place = "\\filename{" ..
+    latex.text(fragment.file:gsub("^code/", "")) .. "}"
+  if fragment.within then
+    place = place .. ", \\filename{" .. latex.text(fragment.within) .. "()}"
+  end
+  local used = ""
+  if fragment.parent then
+    used = ("\\usedin{frag:%d}{%s}"):format(fragment.parent.id,
+      latex.text(fragment.parent.title))
+  end
+  return ("\\begin{fragment}{frag:%d}{%s}{%s}\n%s\n\\end{fragment}%s"):format(
+    fragment.id, latex.text(fragment.title), place, stacked(lines), used)
+end
+
+-- A fragment named in running text.
+function listing.mention(fragment)
+  return ("\\fragmentmention{frag:%d}{%s}"):format(fragment.id,
+    latex.text(fragment.title))
+end
+
+-- Code that is no part of a program.
+function listing.illustration(lines)
+  local result, in_comment = {}, false
+  for i, line in ipairs(lines) do
+    result[i], in_comment = listing.code_line(line, in_comment)
+  end
+  return "\\begin{illustration}\n" .. stacked(result) ..
+    "\n\\end{illustration}"
+end
+
+-- What is neither C nor captured: commands to type, a file's format.
+function listing.plain(lines)
+  local result = {}
+  for i, line in ipairs(lines) do result[i] = latex.code(line) end
+  return "\\begin{illustration}\n" .. stacked(result) ..
+    "\n\\end{illustration}"
+end
+
+-- A command and what it printed.
+function listing.output(command, lines)
+  local result = {}
+  for i, line in ipairs(lines) do result[i] = latex.code(line) end
+  return ("\\begin{captured}{%s}\n%s\n\\end{captured}"):format(
+    latex.code(command), stacked(result))
+end
+
+return listing

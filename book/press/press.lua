@@ -1,0 +1,168 @@
+-- The press: chapters, code, exercises and data in, the book out.
+--
+--   texlua book/press/press.lua [--check] [--root DIR] [--build DIR]
+--
+-- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
+-- of every chapter; --check finds all faults that do not need LaTeX.
+-- Programs must have been built and figures drawn before. A fault is
+-- reported as "file:line: sentence", and then the exit status is 1.
+local lfs = require "lfs"
+
+local here = arg[0]:match("^(.*)/[^/]*$") or "."
+if not here:match("^/") then here = lfs.currentdir() .. "/" .. here end
+package.path = here .. "/?.lua;" .. package.path
+
+local faults = require "faults"
+local files = require "files"
+local typeset = require "typeset"
+
+local function usage(sentence)
+  io.stderr:write("press: ", sentence, "\n")
+  os.exit(2)
+end
+
+local function absolute(path)
+  if path:match("^/") then return path end
+  return (lfs.currentdir() .. "/" .. path)
+end
+
+-- ---- the command line -------------------------------------------------
+local root, build, check = lfs.currentdir(), nil, false
+local i = 1
+while arg[i] do
+  if arg[i] == "--check" then
+    check = true
+  elseif (arg[i] == "--root" or arg[i] == "--build") and arg[i + 1] then
+    i = i + 1
+    if arg[i - 1] == "--root" then root = absolute(arg[i])
+    else build = absolute(arg[i]) end
+  else
+    usage("what is " .. arg[i] .. "?")
+  end
+  i = i + 1
+end
+if not lfs.chdir(root) then usage("there is no folder " .. root) end
+build = build or root .. "/build"
+
+-- ---- what there is ----------------------------------------------------
+-- All files below a folder, in order, whose path matches.
+local function below(folder, pattern, found)
+  found = found or {}
+  if lfs.attributes(folder, "mode") ~= "directory" then return found end
+  local names = {}
+  for name in lfs.dir(folder) do
+    if not name:match("^%.") then table.insert(names, name) end
+  end
+  table.sort(names)
+  for _, name in ipairs(names) do
+    local path = folder .. "/" .. name
+    if lfs.attributes(path, "mode") == "directory" then
+      below(path, pattern, found)
+    elseif path:match(pattern) then
+      table.insert(found, path)
+    end
+  end
+  return found
+end
+
+local function make_folder(path)
+  local parent = path:match("^(.+)/[^/]+$")
+  if parent and not lfs.attributes(parent) then make_folder(parent) end
+  lfs.mkdir(path)
+end
+
+local folder = build .. "/book"
+make_folder(folder)
+
+local job = {
+  press = here, folder = folder, build = build,
+  cc = os.getenv("CC") or "cc",
+  dialect = "markdown-auto_identifiers",
+  front = "book/front.md", bibliography = "book/references.bib",
+  code = below("code", "[^~]$"),
+  data = below("book/data", "%.tsv$"),
+  chapters = below("chapters", "^chapters/ch%d%d[^/]*%.md$"),
+  appendices = below("chapters", "^chapters/appendix%-[^/]*%.md$"),
+  exercises = {}, headers = {},
+}
+for _, path in ipairs(below("exercises", "/exercise%.md$")) do
+  local chapter = path:match("^exercises/([^/]*)/")
+  job.exercises[chapter] = job.exercises[chapter] or {}
+  table.insert(job.exercises[chapter], path)
+end
+for header in ("inttypes math stdbool stdint stdio stdlib string omp")
+  :gmatch("%a+") do
+  table.insert(job.headers, "<" .. header .. ".h>")
+end
+for _, path in ipairs(below("code/common", "%.h$")) do
+  table.insert(job.headers, '"' .. path:gsub("^code/", "") .. '"')
+end
+for _, path in ipairs { job.front, job.bibliography } do
+  if not files.exists(path) then faults.add(path, 1, "this file is missing") end
+end
+if #job.chapters == 0 then faults.add("chapters", 1, "there is no chapter") end
+
+-- ---- the stages ---------------------------------------------------------
+-- A table as Lua source.
+local function source_of(value)
+  if type(value) ~= "table" then return ("%q"):format(value) end
+  local parts = {}
+  for key, item in pairs(value) do
+    table.insert(parts, ("[%s]=%s"):format(source_of(key), source_of(item)))
+  end
+  return "{" .. table.concat(parts, ",") .. "}"
+end
+
+-- Ends the press if there were faults.
+local function stop_if_faulty()
+  local text = faults.report()
+  if text == "" then return end
+  local _, count = text:gsub("[^\n]+", "")
+  io.stderr:write(text, "\n", ("press: %d fault%s\n"):format(count,
+    count == 1 and "" or "s"))
+  os.exit(1)
+end
+
+local function pandoc(arguments)
+  for _, name in ipairs { "faults", "notes" } do
+    os.remove(folder .. "/" .. name)
+  end
+  local driver = folder .. "/driver.md"
+  files.write(driver, "")
+  local good = files.succeeds(("PRESS_JOB='%s/job.lua' pandoc -f markdown '%s' "
+    .. "--lua-filter='%s/book.lua' %s"):format(folder, driver, here,
+    arguments))
+  local found = files.read(folder .. "/faults")
+  if not good or not found then
+    io.stderr:write(found or "", "press: pandoc failed\n")
+    os.exit(1)
+  end
+  io.stderr:write((files.read(folder .. "/notes"):gsub("(.)$", "%1\n")))
+  if found ~= "" then
+    local _, count = found:gsub("[^\n]+", "")
+    io.stderr:write(found, "\n",
+      ("press: %d fault%s\n"):format(count, count == 1 and "" or "s"))
+    os.exit(1)
+  end
+end
+
+stop_if_faulty()
+files.write(folder .. "/job.lua", "return " .. source_of(job) .. "\n")
+if check then
+  pandoc("-t plain -o /dev/null")
+  os.exit(0)
+end
+pandoc(("--citeproc --bibliography=%s --lua-filter='%s/bibliography.lua' "
+  .. "-M link-citations=true --top-level-division=chapter --wrap=preserve "
+  .. "-t latex --template='%s/template.tex' -o '%s/book.tex'")
+  :format(job.bibliography, here, here, folder))
+files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
+
+local chapters = {}
+for _, path in ipairs(job.chapters) do
+  local id = files.name(path):match("^ch%d%d")
+  table.insert(chapters, { id = id, number = tonumber(id:sub(3)),
+    title = files.read(path):match("^# *([^\n{]-) *[\n{]") })
+end
+if not typeset.run(folder, chapters) then stop_if_faulty() end
+assert(os.rename(folder .. "/book.pdf", build .. "/near-and-far.pdf"))

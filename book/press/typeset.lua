@@ -1,0 +1,70 @@
+-- Runs LuaLaTeX until the page numbers stand still, with the index
+-- made on the way, and reads what LaTeX thinks of the result.
+local faults = require "faults"
+local files = require "files"
+local log = require "log"
+
+local typeset = {}
+
+local MOST_RUNS = 6
+
+-- What the next run will read: if none of it changed, we are done.
+local function state(folder)
+  local parts = {}
+  for _, ending in ipairs { "aux", "toc", "ind", "out" } do
+    table.insert(parts, files.read(folder .. "/book." .. ending) or "")
+  end
+  return table.concat(parts, "\0")
+end
+
+local function run(folder, command)
+  return files.succeeds(("cd '%s' && max_print_line=10000 %s " ..
+    ">>typeset.out 2>&1 </dev/null"):format(folder, command))
+end
+
+-- The page ranges of the chapters, from the labels at their ends.
+local function write_pages(folder, chapters)
+  local pages = {}
+  for line in files.read(folder .. "/book.aux"):gmatch("[^\n]+") do
+    local label, page = line:match("^\\newlabel{(.-)}{{.-}{(%w+)}")
+    if label then pages[label] = page end
+  end
+  local lines = {}
+  for _, chapter in ipairs(chapters) do
+    table.insert(lines, table.concat({ chapter.number, chapter.title,
+      pages["ch:" .. chapter.id], pages["end:" .. chapter.id] }, "\t"))
+  end
+  files.write(folder .. "/pages.tsv", table.concat(lines, "\n") .. "\n")
+end
+
+-- Makes book.pdf of book.tex. Returns whether it could.
+function typeset.run(folder, chapters)
+  os.remove(folder .. "/typeset.out")
+  local before
+  for _ = 1, MOST_RUNS do
+    before = state(folder)
+    local good = run(folder,
+      "lualatex -interaction=nonstopmode -halt-on-error book.tex")
+    if good and files.exists(folder .. "/book.idx") then
+      good = run(folder, "makeindex -q -s index.ist book.idx")
+    end
+    if not good or state(folder) == before then break end
+  end
+  local text = files.read(folder .. "/book.log")
+  if not text then
+    faults.add("book.tex", 1, "lualatex could not be run")
+    return false
+  end
+  for _, fault in ipairs(log.faults(text)) do
+    faults.add(fault[1], fault[2], "%s", fault[3])
+  end
+  if state(folder) ~= before and #faults.list == 0 then
+    faults.add("book.tex", 1, "the pages do not settle in %d runs of LaTeX",
+      MOST_RUNS)
+  end
+  if #faults.list > 0 then return false end
+  write_pages(folder, chapters)
+  return true
+end
+
+return typeset
