@@ -1,4 +1,4 @@
-//> The clock module
+//> Measure time
 // See clock.h. A quartile that falls between two values is interpolated
 // between them.
 #include "clock.h"

@@ -1,4 +1,4 @@
-//> The counters
+//> Count, or do not
 // They exist in the counting twin only; see count.h.
 #include "count.h"
 

@@ -1,4 +1,4 @@
-//> The module that fails
+//> Fail in one place
 // The program's name and what to clean up are the only state in the
 // book that is not passed as an argument: fail must work from anywhere.
 // There is one such state in a program, so the counting twin has none

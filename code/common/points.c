@@ -1,11 +1,10 @@
-//> The points module
+//> Make room for points
 // The two arrays are one block of memory: x first, then y from the
 // next 64-byte line on, so that both begin where a vector may.
 #include "points.h"
 #include "fail.h"
 #include <stdlib.h>
 
-//> Make room for points
 struct points points_allocate(uint32_t n)
 {
     size_t line = 64 / sizeof(double);
@@ -19,5 +18,4 @@ void points_free(struct points *points)
     free(points->x);
     *points = (struct points){0};
 }
-//<
 //<

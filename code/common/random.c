@@ -1,4 +1,4 @@
-//> The random number generator
+//> Draw random numbers
 // Only sums, products, quotients, square roots and comparisons, which
 // every machine rounds alike: log and cos would not be the same
 // everywhere, and neither would the points.
