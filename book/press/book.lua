@@ -4,6 +4,7 @@
 local job = dofile(os.getenv("PRESS_JOB"))
 package.path = job.press .. "/?.lua;" .. package.path
 
+local emblem = require "emblem"
 local exercises = require "exercises"
 local faults = require "faults"
 local files = require "files"
@@ -140,13 +141,13 @@ local function assemble(meta)
       exercise_list))
   end
   if #job.appendices > 0 then
-    blocks:insert(raw_block("\\appendix"))
+    blocks:insert(raw_block("\\openappendices"))
   end
   for _, path in ipairs(job.appendices) do
     blocks:extend(read_chapter(path, { id = files.name(path) },
       exercise_list))
   end
-  blocks:insert(raw_block("\\backmatter"))
+  blocks:insert(raw_block("\\openbackmatter"))
   if #exercise_list > 0 then
     blocks:insert(raw_block("\\listofexercises\n%s",
       table.concat(exercise_list, "\n")))
@@ -171,6 +172,7 @@ end
 function Pandoc(doc)
   doc.blocks = assemble(doc.meta)
   doc.meta.nocite = also_cited()
+  doc.meta.emblem = pandoc.MetaInlines { pandoc.RawInline("latex", emblem) }
   doc.meta.figures = job.build .. "/figures/"
   weave.check_references()
   fragments.check_shown(book.fragments)

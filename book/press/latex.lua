@@ -20,8 +20,9 @@ end
 
 -- Code within a sentence may break after these, never elsewhere.
 function latex.inline_code(s)
-  local text = latex.code(s):gsub("([/,.%(=]%f[^/,.%(=])", "%1\\allowbreak{}")
+  local text = latex.code(s):gsub("([/,.%(]%f[^/,.%(])", "%1\\allowbreak{}")
   text = text:gsub("(\\_)(%w)", "%1\\allowbreak{}%2")
+    :gsub("%-", "\\mbox{-}")
   return "\\code{" .. text:gsub("\\ ", " ") .. "}"
 end
 

@@ -68,8 +68,8 @@ function listing.fragment(fragment)
     used = ("\\usedin{frag:%d}{%s}"):format(fragment.parent.id,
       latex.text(fragment.parent.title))
   end
-  return ("\\begin{fragment}{frag:%d}{%s}{%s}\n%s\n\\end{fragment}%s"):format(
-    fragment.id, latex.text(fragment.title), place, stacked(lines), used)
+  return ("\\begin{fragment}{frag:%d}{%s}{%s}{%s}\n%s\n\\end{fragment}"):format(
+    fragment.id, latex.text(fragment.title), place, used, stacked(lines))
 end
 
 -- A fragment named in running text.

@@ -1,11 +1,13 @@
 -- The press: chapters, code, exercises and data in, the book out.
 --
---   texlua book/press/press.lua [--check] [--root DIR] [--build DIR]
+--   texlua book/press/press.lua [--check | --draft] [--root DIR]
+--                               [--build DIR]
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
--- of every chapter; --check finds all faults that do not need LaTeX.
--- Programs must have been built and figures drawn before. A fault is
--- reported as "file:line: sentence", and then the exit status is 1.
+-- of every chapter. Programs must have been built and figures drawn
+-- before. A fault is reported as "file:line: sentence"; then there is no
+-- book, and the exit status is 1. --check does everything but LaTeX;
+-- --draft sets what there is, faults and all, as BUILD/draft.pdf.
 local lfs = require "lfs"
 
 local here = arg[0]:match("^(.*)/[^/]*$") or "."
@@ -27,15 +29,17 @@ local function absolute(path)
 end
 
 -- ---- the command line -------------------------------------------------
-local root, build, check = lfs.currentdir(), nil, false
+local root, build, mode = lfs.currentdir(), nil, nil
 local i = 1
 while arg[i] do
-  if arg[i] == "--check" then
-    check = true
-  elseif (arg[i] == "--root" or arg[i] == "--build") and arg[i + 1] then
+  if arg[i] == "--check" or arg[i] == "--draft" then
+    mode = arg[i]
+  elseif arg[i] == "--root" and arg[i + 1] then
     i = i + 1
-    if arg[i - 1] == "--root" then root = absolute(arg[i])
-    else build = absolute(arg[i]) end
+    root = absolute(arg[i])
+  elseif arg[i] == "--build" and arg[i + 1] then
+    i = i + 1
+    build = absolute(arg[i])
   else
     usage("what is " .. arg[i] .. "?")
   end
@@ -113,56 +117,54 @@ local function source_of(value)
   return "{" .. table.concat(parts, ",") .. "}"
 end
 
--- Ends the press if there were faults.
-local function stop_if_faulty()
-  local text = faults.report()
+-- Prints the faults, one a line, and ends the press if there are any.
+-- A draft goes on.
+local function stop_at(text)
   if text == "" then return end
   local _, count = text:gsub("[^\n]+", "")
   io.stderr:write(text, "\n", ("press: %d fault%s\n"):format(count,
     count == 1 and "" or "s"))
-  os.exit(1)
+  if mode ~= "--draft" then os.exit(1) end
 end
 
-local function pandoc(arguments)
-  for _, name in ipairs { "faults", "notes" } do
-    os.remove(folder .. "/" .. name)
-  end
-  local driver = folder .. "/driver.md"
-  files.write(driver, "")
-  local good = files.succeeds(("PRESS_JOB='%s/job.lua' pandoc -f markdown '%s' "
-    .. "--lua-filter='%s/book.lua' %s"):format(folder, driver, here,
-    arguments))
+-- From Markdown to LaTeX.
+local function weave()
+  os.remove(folder .. "/faults")
+  files.write(folder .. "/job.lua", "return " .. source_of(job) .. "\n")
+  files.write(folder .. "/driver.md", "")
+  local good = files.succeeds(([[
+    PRESS_JOB='%s/job.lua' pandoc --quiet -f markdown '%s/driver.md' \
+      --lua-filter='%s/book.lua' --citeproc --bibliography='%s' \
+      --lua-filter='%s/bibliography.lua' -M link-citations=true \
+      --top-level-division=chapter --wrap=preserve -t latex \
+      --template='%s/template.tex' -o '%s/book.tex'
+  ]]):format(folder, folder, here, job.bibliography, here, here, folder))
   local found = files.read(folder .. "/faults")
   if not good or not found then
     io.stderr:write(found or "", "press: pandoc failed\n")
     os.exit(1)
   end
-  io.stderr:write((files.read(folder .. "/notes"):gsub("(.)$", "%1\n")))
-  if found ~= "" then
-    local _, count = found:gsub("[^\n]+", "")
-    io.stderr:write(found, "\n",
-      ("press: %d fault%s\n"):format(count, count == 1 and "" or "s"))
-    os.exit(1)
-  end
+  local notes = files.read(folder .. "/notes")
+  if notes ~= "" then io.stderr:write(notes, "\n") end
+  stop_at(found)
 end
 
-stop_if_faulty()
-files.write(folder .. "/job.lua", "return " .. source_of(job) .. "\n")
-if check then
-  pandoc("-t plain -o /dev/null")
-  os.exit(0)
+-- What pages.tsv says of a chapter, but for the pages.
+local function about(path)
+  local id = files.name(path):match("^ch%d%d")
+  return { id = id, number = tonumber(id:sub(3)),
+    title = files.read(path):match("^# *([^\n{]-) *[\n{]") }
 end
-pandoc(("--citeproc --bibliography=%s --lua-filter='%s/bibliography.lua' "
-  .. "-M link-citations=true --top-level-division=chapter --wrap=preserve "
-  .. "-t latex --template='%s/template.tex' -o '%s/book.tex'")
-  :format(job.bibliography, here, here, folder))
+
+stop_at(faults.report())
+weave()
+if mode == "--check" then os.exit(0) end
 files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
-
 local chapters = {}
 for _, path in ipairs(job.chapters) do
-  local id = files.name(path):match("^ch%d%d")
-  table.insert(chapters, { id = id, number = tonumber(id:sub(3)),
-    title = files.read(path):match("^# *([^\n{]-) *[\n{]") })
+  table.insert(chapters, about(path))
 end
-if not typeset.run(folder, chapters) then stop_if_faulty() end
-assert(os.rename(folder .. "/book.pdf", build .. "/near-and-far.pdf"))
+typeset.run(folder, chapters)
+stop_at(faults.report())
+local pdf = mode == "--draft" and "/draft.pdf" or "/near-and-far.pdf"
+assert(os.rename(folder .. "/book.pdf", build .. pdf))

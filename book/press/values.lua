@@ -84,7 +84,7 @@ local function listed(words)
     end
   end
   table.sort(list)
-  return #list > 0 and table.concat(list, ", ") or "none"
+  return table.concat(list, ", ")
 end
 
 local function complain(sentence, ...)
@@ -93,6 +93,9 @@ end
 
 local function cell(chapter, row, column)
   local found, row_exists, rows, columns = find(chapter, row, column)
+  if #rows == 0 then
+    complain("%s has no table whose rows have names", chapter)
+  end
   if #found == 1 then
     return tonumber(found[1][1]) or found[1][1]
   elseif #found > 1 then

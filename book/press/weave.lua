@@ -120,7 +120,7 @@ local span_attributes = {
   claim = { ["if"] = true },
   fragment = {},
   index = { key = true },
-  machine = { table = true },
+  machine = {},
 }
 
 local div_attributes = { quick = {}, answer = {}, hint = {} }
@@ -385,19 +385,17 @@ function span.index(x, words)
   return result
 end
 
-function span.machine(x)
-  local name = x.attributes.table
-  if not name then
-    fault(".machine", "a machine needs its table: table=...")
-    return pandoc.List()
-  end
+-- On what a table was measured: [ch02-speeds]{.machine}.
+function span.machine(_, name)
   local parts, why = values.provenance(name)
   if not parts then
-    fault("table=" .. name, "%s", why)
+    fault("[" .. name .. "]", "%s", why)
     return pandoc.List()
   end
   for i, part in ipairs(parts) do
-    parts[i] = part[2] and latex.inline_code(part[1]) or latex.text(part[1])
+    local text, is_code = part[1], part[2]
+    text = is_code and latex.inline_code(text) or latex.text(text)
+    parts[i] = i > 1 and not is_code and text:gsub(" ", "~") or text
   end
   return raw(table.concat(parts, ", "))
 end
@@ -434,6 +432,7 @@ local function figure(image, caption, identifier)
   for attribute in pairs(image.attributes) do
     fault(words, 'the attribute "%s" is unknown for a figure', attribute)
   end
+  local plot = ""
   if not name:match("^[%w-]+$") then
     fault(words, 'a figure is named like its script, without folder and '
       .. 'ending, not "%s"', name)
@@ -441,6 +440,8 @@ local function figure(image, caption, identifier)
   then
     fault(words, "there is no figure %s.pdf in %s/figures", name,
       book.job.build)
+  else
+    plot = "\\plot{" .. name .. "}"
   end
   if #caption == 0 then fault(words, "this figure needs a caption") end
   check_numbers(caption)
@@ -448,8 +449,8 @@ local function figure(image, caption, identifier)
   text:insert(1, raw(("\\caption{\\label{%s}"):format(identifier)))
   text:insert(raw("}"))
   return pandoc.List {
-    raw_block(("%s\\begin{figure}\\centering\n\\plot{%s}")
-      :format(mark(here.source.cursor), name)),
+    raw_block(("%s\\begin{figure}\\centering\n%s")
+      :format(mark(here.source.cursor), plot)),
     pandoc.Plain(text), raw_block("\\end{figure}"),
   }
 end
