@@ -1,0 +1,294 @@
+//> Understand near's command line
+// See near_options.h. Numbers are taken strictly: nothing may follow
+// them, and a count must be a whole number in its range.
+#include "near_options.h"
+#include "common/fail.h"
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+//> Explain the options
+void print_help(void)
+{
+    puts("Finds every point's nearest and furthest neighbor.\n"
+         "\n"
+         "  near [options] FILE   points from a file ('-': standard "
+         "input)\n"
+         "  near [options] -n N   N random points\n"
+         "\n"
+         "Points\n"
+         "  -n N            how many, 1e5 is fine\n"
+         "  -d DIST         their distribution (uniform); see --list\n"
+         "  -s SEED         other points for another seed (1)\n"
+         "  --columns I,J   the columns of FILE that hold x and y\n"
+         "Question\n"
+         "  -a NAME         the algorithm (the fastest); see --list\n"
+         "  -g GEOMETRY     standard or wraparound (standard)\n"
+         "  --box X0,Y0,X1,Y1  the box that wraps around (0,0,1,1)\n"
+         "  -t THREADS      how many threads (all)\n"
+         "  -r TRIALS       how often to answer (1)\n"
+         "Answer\n"
+         "  -o FILE         write the answers to FILE ('-': standard "
+         "output)\n"
+         "  --timing        print a table of times and counts, a row a "
+         "trial\n"
+         "  --check         compare with a naive search\n"
+         "  --list          the algorithms and the distributions\n"
+         "\n"
+         "A FILE has two numbers a line, or is a TSPLIB file. The exit "
+         "status is\n"
+         "1 if --check finds a wrong answer, 2 if near cannot do what "
+         "is asked.");
+}
+//<
+
+//> List what can be named
+static const char *names_of_geometries(unsigned set)
+{
+    return set == STANDARD     ? "standard"
+           : set == WRAPAROUND ? "wraparound"
+                               : "both";
+}
+
+static const char *names_of_answers(unsigned set)
+{
+    return set == NEAREST    ? "nearest"
+           : set == FURTHEST ? "furthest"
+                             : "both";
+}
+
+void print_list(void)
+{
+    printf("%-16s %-7s %-10s %-8s %-12s %s\n", "algorithm", "chapter",
+           "geometry", "answers", "cost", "");
+    for (int row = 0; row < algorithm_count; row++) {
+        const struct algorithm *a = &algorithms[row];
+        printf("%-16s %-7d %-10s %-8s %-12s %s\n", a->name, a->chapter,
+               names_of_geometries(a->geometries),
+               names_of_answers(a->answers), a->cost, a->about);
+    }
+    printf("\n%-16s\n", "distribution");
+    for (int row = 0; row < distribution_count; row++)
+        printf("%-16s %s\n", distributions[row].name,
+               distributions[row].about);
+}
+//<
+
+//> Take a number strictly
+static double parse_count(const char *option, const char *text,
+                          double least, double most)
+{
+    char *end;
+    double number = strtod(text, &end);
+    if (!isdigit((unsigned char)*text) || tolower(text[1]) == 'x' ||
+        *end || number != floor(number) || number < least ||
+        number > most)
+        fail("%s: expected a whole number from %.0f to %.0f, found "
+             "\"%s\"",
+             option, least, most, text);
+    return number;
+}
+
+static uint64_t parse_seed(const char *text)
+{
+    char *end;
+    errno = 0;
+    uint64_t seed = strtoull(text, &end, 10);
+    if (!isdigit((unsigned char)*text) || *end || errno)
+        fail("-s: expected a whole number below 2^64, found \"%s\"",
+             text);
+    return seed;
+}
+
+// Whether the text is exactly count numbers with commas between them.
+static bool parse_numbers(const char *text, double *numbers, int count)
+{
+    for (int k = 0; k < count; k++) {
+        char *end;
+        numbers[k] = strtod(text, &end);
+        if (end == text || !isfinite(numbers[k]) ||
+            *end != (k < count - 1 ? ',' : 0))
+            return false;
+        text = end + 1;
+    }
+    return true;
+}
+//<
+
+//> Take two columns
+static struct columns parse_columns(const char *text)
+{
+    double numbers[2];
+    if (!parse_numbers(text, numbers, 2) || numbers[0] < 1 ||
+        numbers[1] < 1 || numbers[0] > 1e6 || numbers[1] > 1e6 ||
+        numbers[0] != floor(numbers[0]) ||
+        numbers[1] != floor(numbers[1]))
+        fail("--columns: expected two column numbers such as 2,3, "
+             "found \"%s\"",
+             text);
+    return (struct columns){(int)numbers[0], (int)numbers[1]};
+}
+//<
+
+//> Take a box
+static const double *parse_box(const char *text)
+{
+    static double box[4];
+    if (!parse_numbers(text, box, 4) || !(box[0] < box[2]) ||
+        !(box[1] < box[3]) || !isfinite(box[2] - box[0]) ||
+        !isfinite(box[3] - box[1]))
+        fail("--box: expected X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1 and "
+             "finite sides, found \"%s\"",
+             text);
+    return box;
+}
+//<
+
+//> Take a name
+static enum geometry parse_geometry(const char *text)
+{
+    if (strcmp(text, "standard") == 0)
+        return STANDARD;
+    if (strcmp(text, "wraparound") == 0)
+        return WRAPAROUND;
+    fail("-g: expected standard or wraparound, found \"%s\"", text);
+}
+
+static const struct distribution *parse_distribution(const char *text)
+{
+    const struct distribution *found = find_distribution(text);
+    if (!found)
+        fail("-d: there is no distribution \"%s\"; see near --list",
+             text);
+    return found;
+}
+
+static const struct algorithm *parse_algorithm(const char *text)
+{
+    const struct algorithm *found = find_algorithm(text);
+    if (!found)
+        fail("-a: there is no algorithm \"%s\"; see near --list", text);
+    return found;
+}
+//<
+
+//> Take every option
+enum { COLUMNS = 256, BOX, TIMING, CHECK, LIST, HELP };
+
+static void take_option(struct options *options, int option,
+                        char **argv)
+{
+    switch (option) {
+    case 'n':
+        options->n = parse_count("-n", optarg, 2, UINT32_MAX);
+        break;
+    case 'd':
+        options->distribution = parse_distribution(optarg);
+        break;
+    case 's':
+        options->seed = parse_seed(optarg);
+        break;
+    case 'a':
+        options->algorithm = parse_algorithm(optarg);
+        break;
+    case 'g':
+        options->geometry = parse_geometry(optarg);
+        break;
+    case 't':
+        options->threads = parse_count("-t", optarg, 1, 1024);
+        break;
+    case 'r':
+        options->trials = parse_count("-r", optarg, 1, 1000000);
+        break;
+    case 'o':
+        options->output = optarg;
+        break;
+    case COLUMNS:
+        options->columns = parse_columns(optarg);
+        break;
+    case BOX:
+        options->box = parse_box(optarg);
+        break;
+    case TIMING:
+        options->timing = true;
+        break;
+    case CHECK:
+        options->check = true;
+        break;
+    case LIST:
+        options->list = true;
+        break;
+    case HELP:
+        options->help = true;
+        break;
+    case ':':
+        fail("%s needs a value; see near --help", argv[optind - 1]);
+    default:
+        if (optopt > 0 && optopt < COLUMNS)
+            fail("what is -%c? See near --help", optopt);
+        fail("what is %s? See near --help", argv[optind - 1]);
+    }
+}
+//<
+
+//> Find options that contradict each other
+static void check_options(const struct options *o, bool generating)
+{
+    if (o->file && generating)
+        fail("points come from a file or from -n, -d and -s, not from "
+             "both");
+    if (!o->file && !o->n)
+        fail("which points? Name a FILE, or say -n N for random ones; "
+             "see near --help");
+    if (o->columns.x && !o->file)
+        fail("--columns is for points from a file");
+    if (o->box && o->geometry != WRAPAROUND)
+        fail("--box is for -g wraparound");
+    if (o->algorithm && !(o->algorithm->geometries & o->geometry))
+        fail("%s does not know the %s geometry; see near --list",
+             o->algorithm->name,
+             o->geometry == STANDARD ? "standard" : "wraparound");
+    if (o->timing && o->output && strcmp(o->output, "-") == 0)
+        fail("--timing and -o - both want standard output");
+}
+//<
+
+struct options parse_options(int argc, char **argv)
+{
+    static const struct option names[] = {
+        {"columns", required_argument, NULL, COLUMNS},
+        {"box", required_argument, NULL, BOX},
+        {"timing", no_argument, NULL, TIMING},
+        {"check", no_argument, NULL, CHECK},
+        {"list", no_argument, NULL, LIST},
+        {"help", no_argument, NULL, HELP},
+        {0},
+    };
+    struct options options = {.distribution = &distributions[0],
+                              .seed = 1,
+                              .geometry = STANDARD,
+                              .threads = omp_get_max_threads(),
+                              .trials = 1};
+    bool generating = false;
+    opterr = 0; // the sentences are ours
+    for (int option;
+         (option = getopt_long(argc, argv, ":n:d:s:a:g:t:r:o:", names,
+                               NULL)) != -1;) {
+        take_option(&options, option, argv);
+        generating |= option == 'n' || option == 'd' || option == 's';
+    }
+    if (argc - optind > 1)
+        fail("one FILE at a time, please: \"%s\" and \"%s\" are two",
+             argv[optind], argv[optind + 1]);
+    options.file = argv[optind];
+    if (!options.list && !options.help)
+        check_options(&options, generating);
+    return options;
+}
+//<

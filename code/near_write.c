@@ -1,0 +1,126 @@
+//> Write the answers
+// See near_write.h. There is one such file in a run of near, and what
+// cleans up after a failure must be able to find it: hence the state.
+#include "near_write.h"
+#include "common/fail.h"
+#include <errno.h>
+#include <inttypes.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static FILE *out;
+static const char *target;          // as messages call it
+static char path[PATH_MAX];         // where the file shall be
+static char partial[PATH_MAX + 32]; // where it is until then, or ""
+
+//> Leave nothing half written
+void write_abandon(void)
+{
+    if (*partial)
+        unlink(partial);
+}
+
+static void abandon_and_die(int signal)
+{
+    write_abandon();
+    struct sigaction as_usual = {.sa_handler = SIG_DFL};
+    sigaction(signal, &as_usual, NULL);
+    raise(signal);
+}
+
+static void abandon_on_signals(void)
+{
+    struct sigaction action = {.sa_handler = abandon_and_die};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+//<
+
+//> Open the file beside the file
+// An existing target is followed to what its links point at.
+void write_open(const char *name)
+{
+    struct stat status;
+    bool standard = strcmp(name, "-") == 0;
+    bool exists = !standard && stat(name, &status) == 0;
+    target = standard ? "standard output" : name;
+    if (standard) {
+        out = stdout;
+    } else if (exists && !S_ISREG(status.st_mode)) {
+        out = fopen(name, "w");
+    } else if (!exists || (access(name, W_OK) == 0)) {
+        if (!exists || !realpath(name, path))
+            snprintf(path, sizeof path, "%s", name);
+        snprintf(partial, sizeof partial, "%s.%ld.partial", path,
+                 (long)getpid());
+        out = fopen(partial, "wx");
+        if (out)
+            abandon_on_signals();
+        else
+            *partial = 0;
+    }
+    if (!out)
+        fail("cannot write %s: %s", target, strerror(errno));
+}
+//<
+
+//> Give the whole file its name
+static void finish(void)
+{
+    bool bad = ferror(out) | (fflush(out) != 0);
+    if (bad || (out != stdout && fclose(out) != 0) ||
+        (*partial && rename(partial, path) != 0))
+        fail("cannot write %s: %s", target, strerror(errno));
+    *partial = 0;
+}
+//<
+
+//> Write a coordinate as short as it is exact
+static void write_coordinate(double value)
+{
+    char text[32];
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "\t%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            break;
+    }
+    fputs(text, out);
+}
+//<
+
+//> Write a line for every point
+static void write_neighbor(const uint32_t *neighbor,
+                           const double *distance2, uint32_t i)
+{
+    if (neighbor)
+        fprintf(out, "\t%" PRIu32 "\t%.17g", neighbor[i],
+                sqrt(distance2[i]));
+}
+
+void write_answers(struct points points, const struct answers *answers)
+{
+    fputs("i\tx\ty", out);
+    if (answers->nearest)
+        fputs("\tnearest\tnearest_distance", out);
+    if (answers->furthest)
+        fputs("\tfurthest\tfurthest_distance", out);
+    fputs("\n", out);
+    for (uint32_t i = 0; i < points.n && !ferror(out); i++) {
+        fprintf(out, "%" PRIu32, i);
+        write_coordinate(points.x[i]);
+        write_coordinate(points.y[i]);
+        write_neighbor(answers->nearest, answers->nearest2, i);
+        write_neighbor(answers->furthest, answers->furthest2, i);
+        fputs("\n", out);
+    }
+    finish();
+}
+//<
+//<
