@@ -1,0 +1,24 @@
+// The nearest pair of all, by looking at every pair once.
+#include "common/geometry.h"
+#include "exercise.h"
+
+struct pair nearest_pair(struct points points)
+{
+    //- solution
+    struct pair best = {.distance2 = INFINITY};
+    for (uint32_t i = 0; i < points.n; i++)
+        for (uint32_t j = i + 1; j < points.n; j++) {
+            double d2 = distance2(points.x[j] - points.x[i],
+                                  points.y[j] - points.y[i]);
+            if (d2 < best.distance2)
+                best = (struct pair){i, j, d2};
+        }
+    return best;
+    //- starter
+    // // Your turn: look at every pair once, and keep the best.
+    // struct pair first = {0, 1,
+    //                      distance2(points.x[1] - points.x[0],
+    //                                points.y[1] - points.y[0])};
+    // return first;
+    //- end
+}

@@ -1,0 +1,4 @@
+# Both comparisons with NaN are false, so it passes for a value inside.
+# expect: NaN
+s/!(value >= low && value <= high)/value < low || value > high/
+s/int b = (int)(\(.*\));/int b = value == value ? (int)(\1) : 0;/

@@ -1,0 +1,4 @@
+# The quotient is taken at its word.
+# expect: was rounded
+s/if (value < edge(low, high, bins, b))/if (b < 0)/
+s/b < bins - 1 && value >= edge(low, high, bins, b + 1)/b < 0/

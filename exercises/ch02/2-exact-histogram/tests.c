@@ -1,0 +1,187 @@
+// Tests of the histogram: counts against a search through the edges,
+// with values on the edges and as close below them as can be.
+#include "common/random.h"
+#include "exercise.h"
+#include "kit.h"
+#include <math.h>
+
+struct range {
+    double low, high;
+    int bins;
+};
+
+static const struct range ranges[] = {
+    {0, 1, 10}, {0, 1, 49},      {0, 1.5, 100},
+    {-1, 1, 7}, {0.1, 0.7, 333}, {1e-5, 3e-5, 60},
+};
+static const int range_count = sizeof ranges / sizeof *ranges;
+
+static double edge_of(struct range r, int b)
+{
+    return edge(r.low, r.high, r.bins, b);
+}
+
+// -1: in no bin.
+static int bin_of(struct range r, double value)
+{
+    if (!(value >= r.low && value <= r.high))
+        return -1;
+    int b = r.bins - 1;
+    while (b > 0 && value < edge_of(r, b))
+        b--;
+    return b;
+}
+
+// The likely cause, from what was special about the values.
+static const char *cause(const double *values, size_t n, struct range r)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (isnan(values[i]))
+            return "NaN is in no bin, but every comparison with it is "
+                   "false: ask whether a value is inside.";
+        if (values[i] == r.high)
+            return kit_text("The value %g itself belongs to the last "
+                            "bin.",
+                            r.high);
+        if (values[i] < r.low)
+            return "A value just below the range was counted: (int) "
+                   "rounds toward zero.";
+    }
+    return "A quotient was rounded to the other side of an edge, or "
+           "the range was not mapped onto the bins: compare with "
+           "edge() after dividing.";
+}
+
+static void check(double *values, size_t n, struct range r)
+{
+    kit_given("%zu values, %d bins from %g to %g", n, r.bins, r.low,
+              r.high);
+    uint64_t *counts = kit_output("counts", r.bins, sizeof *counts);
+    size_t *outside = kit_output("the result", 1, sizeof *outside);
+    CALL(*outside = STUDENT(histogram)(values, n, r.low, r.high, r.bins,
+                                       counts));
+    size_t right_outside = 0;
+    uint64_t right[1000] = {0};
+    for (size_t i = 0; i < n; i++) {
+        int b = bin_of(r, values[i]);
+        if (b < 0)
+            right_outside++;
+        else
+            right[b]++;
+    }
+    for (int b = 0; b < r.bins; b++)
+        if (counts[b] != right[b])
+            WRONG(.where = kit_text("bin %d, from %.17g to %.17g", b,
+                                    edge_of(r, b), edge_of(r, b + 1)),
+                  .expected = kit_text("%ju", (uintmax_t)right[b]),
+                  .found = kit_text("%ju", (uintmax_t)counts[b]),
+                  .cause = counts[b] > 1000000000
+                               ? "The counts must be set to 0 first: "
+                                 "what the array held before counts "
+                                 "for nothing."
+                               : cause(values, n, r));
+    if (*outside != right_outside)
+        WRONG(.where = "the result, the number of values in no bin",
+              .expected = kit_text("%zu", right_outside),
+              .found = kit_text("%zu", *outside),
+              .cause = cause(values, n, r));
+}
+
+static void middles(uint64_t seed)
+{
+    (void)seed;
+    for (int k = 0; k < range_count; k++) {
+        struct range r = ranges[k];
+        double *values = kit_input("values", r.bins, sizeof *values);
+        for (int b = 0; b < r.bins; b++)
+            values[b] = (edge_of(r, b) + edge_of(r, b + 1)) / 2;
+        check(values, r.bins, r);
+        kit_next_case();
+    }
+}
+
+static void on_edges(uint64_t seed)
+{
+    (void)seed;
+    for (int k = 0; k < range_count; k++) {
+        struct range r = ranges[k];
+        double *values = kit_input("values", r.bins, sizeof *values);
+        for (int b = 0; b < r.bins; b++)
+            values[b] = edge_of(r, b);
+        check(values, r.bins, r);
+        kit_next_case();
+    }
+}
+
+static void below_edges(uint64_t seed)
+{
+    (void)seed;
+    for (int k = 0; k < range_count; k++) {
+        struct range r = ranges[k];
+        double *values = kit_input("values", r.bins, sizeof *values);
+        for (int b = 0; b < r.bins; b++)
+            values[b] = nextafter(edge_of(r, b + 1), r.low);
+        check(values, r.bins, r);
+        kit_next_case();
+    }
+}
+
+static void one_value(double value, int copies)
+{
+    struct range r = {0, 1, 10};
+    double *values = kit_input("values", copies, sizeof *values);
+    for (int i = 0; i < copies; i++)
+        values[i] = value;
+    check(values, copies, r);
+    kit_next_case();
+}
+
+static void highest(uint64_t seed)
+{
+    (void)seed;
+    one_value(1, 3);
+}
+
+static void outside(uint64_t seed)
+{
+    (void)seed;
+    one_value(-0.05, 3);
+    one_value(nextafter(0, -1), 1);
+    one_value(nextafter(1, 2), 2);
+    one_value(-INFINITY, 1);
+    one_value(INFINITY, 1);
+    one_value(0.5, 0);
+}
+
+static void not_numbers(uint64_t seed)
+{
+    (void)seed;
+    one_value(NAN, 3);
+}
+
+static void many(uint64_t seed)
+{
+    const size_t n = 20000;
+    for (int k = 0; k < range_count; k++) {
+        struct range r = ranges[k];
+        struct random random = {seed + k};
+        double *values = kit_input("values", n, sizeof *values);
+        for (size_t i = 0; i < n; i++)
+            values[i] =
+                r.low - 0.1 * (r.high - r.low) +
+                1.2 * (r.high - r.low) * random_uniform(&random);
+        check(values, n, r);
+        kit_next_case();
+    }
+}
+
+const struct kit_test kit_tests[] = {
+    {"middles", 1, "values in the middle of a bin", middles},
+    {"on-edges", 2, "values on an edge", on_edges},
+    {"below-edges", 2, "values just below an edge", below_edges},
+    {"highest", 1, "the highest value", highest},
+    {"outside", 1, "values outside, or none at all", outside},
+    {"not-numbers", 1, "NaN", not_numbers},
+    {"many", 2, "20,000 values, inside and outside", many},
+    {0},
+};

@@ -1,0 +1,3 @@
+# A difference is compared with a squared distance.
+# expect: square dx, too
+s/dx \* dx >= nearest2/fabs(dx) >= nearest2/

@@ -1,0 +1,4 @@
+# A point that ties goes before those that were there.
+# expect: the lower index comes first
+s/d2 >= distances2\[k - 1\]/d2 > distances2[k - 1]/
+s/distances2\[place - 1\] > d2/distances2[place - 1] >= d2/

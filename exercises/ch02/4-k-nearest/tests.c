@@ -1,0 +1,150 @@
+// Tests of the k nearest: answers only, against a sort of all points by
+// distance and index.
+#include "common/geometry.h"
+#include "exercise.h"
+#include "kit.h"
+#include <stdlib.h>
+
+struct neighbor {
+    double distance2;
+    uint32_t index;
+};
+
+static int by_distance(const void *a, const void *b)
+{
+    const struct neighbor *p = a, *q = b;
+    if (p->distance2 != q->distance2)
+        return p->distance2 < q->distance2 ? -1 : 1;
+    return (p->index > q->index) - (p->index < q->index);
+}
+
+// All others, the nearest first; room for all n.
+static void sort_all(struct points points, uint32_t i,
+                     struct neighbor *sorted)
+{
+    uint32_t count = 0;
+    for (uint32_t j = 0; j < points.n; j++)
+        if (j != i)
+            sorted[count++] =
+                (struct neighbor){distance2(points.x[j] - points.x[i],
+                                            points.y[j] - points.y[i]),
+                                  j};
+    qsort(sorted, count, sizeof *sorted, by_distance);
+}
+
+static const char *cause(struct points points, uint32_t i, uint32_t k,
+                         uint32_t place, const uint32_t *neighbors,
+                         const double *distances2,
+                         struct neighbor right)
+{
+    uint32_t found = neighbors[place];
+    for (uint32_t p = 0; p < k; p++)
+        if (neighbors[p] == i)
+            return "A point is not its own neighbor.";
+    if (found >= points.n)
+        return "This element was never set.";
+    double really = distance2(points.x[found] - points.x[i],
+                              points.y[found] - points.y[i]);
+    if (distances2[place] == sqrt(really) && really != 0)
+        return "The square of the distance is asked for, not its root.";
+    if (distances2[place] != really)
+        return "Index and distance do not belong together: when a "
+               "neighbor moves back, move both.";
+    if (really == right.distance2)
+        return "These tie, and of several points at one distance the "
+               "lower index comes first: >= in place of > turns "
+               "them round.";
+    for (uint32_t p = 0; p < k; p++)
+        if (neighbors[p] == right.index)
+            return "It is among those found, but they are not in "
+                   "order of distance.";
+    return "It was left out: does a better point still get in after "
+           "the first k, and is the worst the one that leaves?";
+}
+
+static void check(struct points points, uint32_t i, uint32_t k)
+{
+    uint32_t *neighbors = kit_output("neighbors", k, sizeof *neighbors);
+    double *distances2 =
+        kit_output("distances2", k, sizeof *distances2);
+    CALL(STUDENT(k_nearest)(points, i, k, neighbors, distances2));
+    struct neighbor *sorted =
+        kit_input("sorted", points.n, sizeof *sorted);
+    sort_all(points, i, sorted);
+    for (uint32_t p = 0; p < k; p++)
+        if (neighbors[p] != sorted[p].index ||
+            distances2[p] != sorted[p].distance2)
+            WRONG(.where = kit_text("%s, k = %u, its neighbor %u",
+                                    kit_point(points, i), k, p),
+                  .expected =
+                      kit_text("%s, squared distance %.17g",
+                               kit_point(points, sorted[p].index),
+                               sorted[p].distance2),
+                  .found = kit_text("%s, squared distance %.17g",
+                                    kit_point(points, neighbors[p]),
+                                    distances2[p]),
+                  .cause = cause(points, i, k, p, neighbors, distances2,
+                                 sorted[p]));
+}
+
+// Asks for some points of a set, the first and the last among them.
+static void check_some(const char *distribution, uint32_t n, uint32_t k,
+                       uint64_t seed)
+{
+    for (uint32_t p = 0; p < 4; p++) {
+        struct points points = kit_points(distribution, n, seed);
+        check(points, (uint32_t)((uint64_t)(n - 1) * p / 3), k);
+        kit_next_case();
+    }
+}
+
+static void one(uint64_t seed)
+{
+    check_some("uniform", 2, 1, seed);
+    check_some("uniform", 500, 1, seed);
+}
+
+static void all(uint64_t seed)
+{
+    check_some("uniform", 3, 2, seed);
+    check_some("uniform", 60, 59, seed);
+}
+
+static void several(uint64_t seed)
+{
+    check_some("uniform", 1000, 10, seed);
+    check_some("clustered", 1000, 37, seed);
+}
+
+static void ties(uint64_t seed)
+{
+    check_some("lattice", 81, 1, seed);
+    check_some("lattice", 81, 6, seed);
+    check_some("equal", 20, 5, seed);
+}
+
+// The nearest come last, or first: each is an insertion at the front,
+// or none is.
+static void in_order(uint64_t seed)
+{
+    for (int falling = 0; falling < 2; falling++) {
+        struct points points = kit_points("uniform", 50, seed);
+        for (uint32_t j = 0; j < points.n; j++) {
+            points.x[j] = falling ? points.n - j : j;
+            points.y[j] = 0;
+        }
+        kit_given("50 points on a line, the nearest %s",
+                  falling ? "last" : "first");
+        check(points, falling ? 49 : 0, 8);
+        kit_next_case();
+    }
+}
+
+const struct kit_test kit_tests[] = {
+    {"one", 2, "the nearest", one},
+    {"all", 2, "all others, in order", all},
+    {"several", 3, "10 and 37 of 1,000", several},
+    {"ties", 2, "points at the same distance", ties},
+    {"in-order", 1, "points that come in order", in_order},
+    {0},
+};

@@ -1,0 +1,632 @@
+// The grader: runs the tests of an exercise against a student's file.
+//
+//   GRADER [-s SEED] [-l SECONDS] LIBRARY SOURCE SCORES [TEST...]
+//
+// SCORES becomes a table, tab-separated, one row a test, with all that
+// a report needs. What the student's code prints is passed on, but is
+// never taken for a result: the table is out of its reach.
+#include "kit.h"
+#include "common/clock.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#if defined __has_feature
+#if __has_feature(address_sanitizer)
+#define SANITIZED true
+#endif
+#elif defined __SANITIZE_ADDRESS__
+#define SANITIZED true
+#endif
+#ifndef SANITIZED
+#define SANITIZED false
+#endif
+
+enum {
+    ARRAYS_MAX = 64,
+    OUTPUT_MAX = 1 << 20, // bytes that a call may print
+    MEMORY_MAX = 4,       // GB that it may ask for
+    SHOWN_MAX = 12,       // lines of its output that are passed on
+    SANITIZER_STATUS = 99,
+    POISON = 0xa5,
+};
+
+struct array {
+    const char *name;
+    char *pages, *start, *end; // end: where the closing page begins
+    size_t size;               // of an element
+    bool input;
+};
+
+// What the student's process leaves behind, besides the outputs.
+struct trace {
+    bool loaded, finished;
+    char problem[256]; // why its file cannot be used
+    char *address;     // of an access that the machine refused
+};
+
+static struct {
+    const char *source; // as the student knows it
+    const char *library;
+    double limit; // seconds a call may take
+    int printed;  // the file that catches what a call prints
+    FILE *scores;
+    struct trace *trace;
+
+    // of the test that runs
+    struct array arrays[ARRAYS_MAX];
+    int array_count;
+    char given[256], text[4096];
+    size_t text_length;
+    const char *status;
+    struct kit_fault fault;
+    jmp_buf end;
+} grader;
+
+// In the student's process only.
+static struct {
+    void *library;
+    struct sigaction refused_before;
+} student;
+
+// What the sanitizers are asked for; both know these names.
+const char *__asan_default_options(void);
+const char *__asan_default_options(void)
+{
+    return "detect_leaks=0:exitcode=99";
+}
+
+const char *__ubsan_default_options(void);
+const char *__ubsan_default_options(void)
+{
+    return "exitcode=99";
+}
+
+// ---- text ----------------------------------------------------------
+
+const char *kit_text(const char *format, ...)
+{
+    size_t room = sizeof grader.text - grader.text_length;
+    char *text = grader.text + grader.text_length;
+    va_list arguments;
+    va_start(arguments, format);
+    size_t length = vsnprintf(text, room, format, arguments);
+    va_end(arguments);
+    if (length >= room)
+        fail("the messages of a test are too long");
+    grader.text_length += length + 1;
+    return text;
+}
+
+const char *kit_point(struct points points, uint32_t i)
+{
+    if (i >= points.n)
+        return kit_text("%u, which is no point's index", i);
+    return kit_text("point %u at (%.9g, %.9g)", i, points.x[i],
+                    points.y[i]);
+}
+
+void kit_given(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(grader.given, sizeof grader.given, format, arguments);
+    va_end(arguments);
+}
+
+// ---- arrays --------------------------------------------------------
+
+static void *add_array(const char *name, size_t count, size_t size,
+                       bool input)
+{
+    if (grader.array_count == ARRAYS_MAX)
+        fail("a test has too many arrays: call kit_next_case");
+    size_t page = sysconf(_SC_PAGESIZE);
+    size_t bytes = (count * size + page - 1) / page * page + page;
+    char *pages = mmap(NULL, bytes + page, PROT_READ | PROT_WRITE,
+                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (pages == MAP_FAILED ||
+        mprotect(pages + bytes, page, PROT_NONE) != 0)
+        fail("no memory for the array %s", name);
+    memset(pages, POISON, bytes);
+    struct array *array = &grader.arrays[grader.array_count++];
+    *array = (struct array){.name = name,
+                            .pages = pages,
+                            .start = pages + bytes - count * size,
+                            .end = pages + bytes,
+                            .size = size,
+                            .input = input};
+    return array->start;
+}
+
+void *kit_input(const char *name, size_t count, size_t size)
+{
+    return add_array(name, count, size, true);
+}
+
+void *kit_output(const char *name, size_t count, size_t size)
+{
+    return add_array(name, count, size, false);
+}
+
+void kit_next_case(void)
+{
+    size_t page = sysconf(_SC_PAGESIZE);
+    while (grader.array_count > 0) {
+        struct array *array = &grader.arrays[--grader.array_count];
+        munmap(array->pages, array->end - array->pages + page);
+    }
+}
+
+struct points kit_points(const char *distribution, uint32_t n,
+                         uint64_t seed)
+{
+    const struct distribution *found = find_distribution(distribution);
+    if (!found)
+        fail("no distribution is called %s", distribution);
+    struct points points = {
+        .n = n,
+        .x = kit_input("points.x", n, sizeof(double)),
+        .y = kit_input("points.y", n, sizeof(double)),
+    };
+    if (n > 0)
+        found->fill(points, seed);
+    kit_given("%u points, %s", n, distribution);
+    return points;
+}
+
+// ---- the student's process -----------------------------------------
+
+// Notes the address and lets what was there before take over: a
+// sanitizer's report, or the end.
+static void note_address(int signal, siginfo_t *info, void *context)
+{
+    (void)context;
+    grader.trace->address = info->si_addr;
+    sigaction(signal, &student.refused_before, NULL);
+}
+
+static void catch_refused_accesses(void)
+{
+    static char stack[1 << 16]; // the ordinary one may be used up
+    sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack},
+                NULL);
+    struct sigaction action = {.sa_sigaction = note_address,
+                               .sa_flags = SA_SIGINFO | SA_ONSTACK};
+    sigaction(SIGBUS, &action, &student.refused_before);
+    sigaction(SIGSEGV, &action, &student.refused_before);
+}
+
+static void limit(int resource, rlim_t most)
+{
+    setrlimit(resource, &(struct rlimit){most, most});
+}
+
+// What is mapped already counts too, and a sanitizer maps terabytes.
+static void limit_memory(void)
+{
+    FILE *file = fopen("/proc/self/statm", "r");
+    long pages;
+    if (file && fscanf(file, "%ld", &pages) == 1)
+        limit(RLIMIT_AS, (rlim_t)pages * sysconf(_SC_PAGESIZE) +
+                             ((rlim_t)MEMORY_MAX << 30));
+    if (file)
+        fclose(file);
+}
+
+static void set_limits(void)
+{
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_FSIZE, OUTPUT_MAX);
+    limit_memory();
+    for (int a = 0; a < grader.array_count; a++) {
+        struct array *array = &grader.arrays[a];
+        if (array->input)
+            mprotect(array->pages, array->end - array->pages,
+                     PROT_READ);
+    }
+}
+
+static _Noreturn void give_up(const char *problem, const char *name)
+{
+    snprintf(grader.trace->problem, sizeof grader.trace->problem,
+             "%s %s", problem, name);
+    _exit(1);
+}
+
+static void become_student(void)
+{
+    setpgid(0, 0);
+    int nothing = open("/dev/null", O_RDONLY);
+    dup2(nothing, STDIN_FILENO);
+    dup2(grader.printed, STDOUT_FILENO);
+    dup2(grader.printed, STDERR_FILENO);
+    close(grader.printed);
+    close(fileno(grader.scores));
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // a crash loses nothing
+    set_limits();
+    catch_refused_accesses();
+    student.library = dlopen(grader.library, RTLD_NOW | RTLD_LOCAL);
+    if (!student.library) {
+        const char *why = dlerror(), *key = "undefined symbol: ";
+        const char *symbol = strstr(why, key);
+        if (symbol)
+            give_up("it uses but does not define",
+                    symbol + strlen(key));
+        give_up("it cannot be loaded:", why);
+    }
+    grader.trace->loaded = true;
+}
+
+void (*kit_function(const char *name))(void)
+{
+    void (*function)(void);
+    void *symbol = dlsym(student.library, name);
+    if (!symbol)
+        give_up("it does not define the function", name);
+    memcpy(&function, &symbol, sizeof function);
+    return function;
+}
+
+_Noreturn void kit_leave(void)
+{
+    fflush(stdout);
+    grader.trace->finished = true;
+    _exit(0);
+}
+
+// ---- the end of a call ---------------------------------------------
+
+_Noreturn static void end_test(const char *status)
+{
+    grader.status = status;
+    longjmp(grader.end, 1);
+}
+
+_Noreturn void kit_wrong(struct kit_fault fault)
+{
+    grader.fault = fault;
+    end_test("wrong");
+}
+
+_Noreturn static void broken(const char *status, const char *found,
+                             const char *cause)
+{
+    grader.fault = (struct kit_fault){.found = found, .cause = cause};
+    end_test(status);
+}
+
+static char *read_printed(void)
+{
+    off_t length = lseek(grader.printed, 0, SEEK_END);
+    char *text = allocate(length + 1, 1);
+    ssize_t got = pread(grader.printed, text, length, 0);
+    text[got < 0 ? 0 : got] = '\0';
+    return text;
+}
+
+// Where the line begins with which a sanitizer's report begins; the
+// end of the text if there is none.
+static char *find_report(char *printed)
+{
+    static const char *const signs[] = {
+        "=================", "AddressSanitizer: ", ": runtime error: "};
+    for (int s = 0; s < 3; s++) {
+        char *report = strstr(printed, signs[s]);
+        if (!report)
+            continue;
+        while (report > printed && report[-1] != '\n')
+            report--;
+        return report;
+    }
+    return printed + strlen(printed);
+}
+
+static void pass_on(const char *text, const char *end)
+{
+    for (int lines = 0; text < end && *text; lines++) {
+        if (lines == SHOWN_MAX) {
+            puts("    | ... and more");
+            break;
+        }
+        int length = strcspn(text, "\n");
+        printf("    | %.*s\n", length, text);
+        text += length + (text[length] == '\n');
+    }
+    fflush(stdout);
+}
+
+// The line of the student's file that a report names first, or 0.
+static int line_in(const char *report)
+{
+    const char *name = strrchr(grader.source, '/');
+    name = name ? name + 1 : grader.source;
+    for (; (report = strstr(report, name)); report++) {
+        int line;
+        if (sscanf(report + strlen(name), ":%d", &line) == 1)
+            return line;
+    }
+    return 0;
+}
+
+static const char *at_line(const char *what, int line)
+{
+    if (line == 0)
+        return what;
+    return kit_text("%s, in line %d of %s", what, line, grader.source);
+}
+
+// An access that the machine refused: to which array?
+static void judge_access(char *address, int line)
+{
+    size_t page = sysconf(_SC_PAGESIZE);
+    for (int a = 0; a < grader.array_count; a++) {
+        struct array *array = &grader.arrays[a];
+        if (address < array->pages || address >= array->end + page)
+            continue;
+        if (address < array->end)
+            broken(
+                "crashed",
+                at_line(kit_text("it writes to %s", array->name), line),
+                "This array may only be read.");
+        size_t count = (array->end - array->start) / array->size;
+        broken("crashed",
+               at_line(kit_text("it touches element %zd of %s, which "
+                                "has %zu elements",
+                                (address - array->start) /
+                                    (ptrdiff_t)array->size,
+                                array->name, count),
+                       line),
+               "An index runs past the end: the last one is the "
+               "number of elements minus 1.");
+    }
+    broken("crashed",
+           at_line("it uses memory that is not its own", line),
+           "An index out of range, a pointer that was never set, or a "
+           "recursion without end.");
+}
+
+// What the sanitizers call it, and what it usually is.
+static const char *const sanitizer_words[][2] = {
+    {"stack-overflow",
+     "A recursion without end, or a huge local array."},
+    {"heap-buffer-overflow",
+     "An index runs past the end of memory that you allocated."},
+    {"stack-buffer-overflow",
+     "An index runs past the end of a local array."},
+    {"global-buffer-overflow",
+     "An index runs past the end of a global array."},
+    {"heap-use-after-free", "It is used after free()."},
+    {"double-free", "The same memory is released twice."},
+    {"bad-free", "free() is for what malloc() gave, and nothing else."},
+    {"out of memory", "Is memory allocated in a loop without end?"},
+    {"Failed to mmap", "Is memory allocated in a loop without end?"},
+    {"signed integer overflow",
+     "The result does not fit: use a wider type, and convert before "
+     "you multiply."},
+    {"shift exponent", "A shift by as many bits as the type has."},
+    {"division by zero", "What if there is nothing to divide by?"},
+    {"outside the range of representable values",
+     "A double too large, negative or NaN was converted to an integer: "
+     "test it first."},
+    {"null pointer", "A pointer that was never set, or a failed "
+                     "allocation."},
+    {"SEGV", "An index out of range, a pointer that was never set, or "
+             "a recursion without end."},
+};
+
+static void judge_report(const char *report)
+{
+    const char *key = "runtime error: ";
+    const char *what = strstr(report, key);
+    if (what) {
+        what += strlen(key);
+    } else {
+        key = "AddressSanitizer: ";
+        what = strstr(report, key);
+        what = what ? what + strlen(key) : report;
+    }
+    int length = strcspn(what, "\n");
+    const char *address = strstr(what, " on ");
+    if (address && address - what < length)
+        length = address - what;
+    const char *cause = NULL;
+    int words = sizeof sanitizer_words / sizeof *sanitizer_words;
+    for (int w = words - 1; w >= 0; w--)
+        if (strstr(report, sanitizer_words[w][0]))
+            cause = sanitizer_words[w][1];
+    broken("crashed",
+           at_line(kit_text("%.*s", length, what), line_in(report)),
+           cause);
+}
+
+static void judge_signal(int signal)
+{
+    switch (signal) {
+    case SIGFPE:
+        broken("crashed", "it divides an integer by zero",
+               "What if there is nothing to divide by?");
+    case SIGABRT:
+        broken("crashed", "it ended itself with abort() or assert()",
+               "The lines printed above say why.");
+    case SIGXFSZ:
+        broken("crashed", "it prints more than a megabyte",
+               "Remove the printing, or the loop that never ends.");
+    case SIGKILL:
+        broken("crashed", "it was ended from outside",
+               "Most often it asked for more memory than there is.");
+    default:
+        broken("crashed", kit_text("it ended with signal %d", signal),
+               NULL);
+    }
+}
+
+static void judge(int status, const char *report)
+{
+    struct trace *trace = grader.trace;
+    if (trace->address && (!SANITIZED || strstr(report, "SEGV")))
+        judge_access(trace->address, line_in(report));
+    if (WIFEXITED(status) && WEXITSTATUS(status) == SANITIZER_STATUS)
+        judge_report(report);
+    if (WIFSIGNALED(status))
+        judge_signal(WTERMSIG(status));
+    if (trace->problem[0])
+        broken("missing", kit_text("%s", trace->problem),
+               kit_text("Is every name in %s spelled as in the text?",
+                        grader.source));
+    if (!trace->loaded || !trace->finished)
+        broken("crashed",
+               kit_text("it ended the program, with status %d",
+                        WEXITSTATUS(status)),
+               "A function answers with return; exit() ends "
+               "everything.");
+    for (int a = 0; a < grader.array_count; a++)
+        for (char *c = grader.arrays[a].pages;
+             c < grader.arrays[a].start; c++)
+            if ((unsigned char)*c != POISON)
+                broken("crashed",
+                       kit_text("it wrote in front of %s",
+                                grader.arrays[a].name),
+                       "An index became negative.");
+}
+
+// Waits for the process, though not for ever: false if it did not end.
+static bool wait_for(pid_t process, int *status)
+{
+    const double longest = 0.01;
+    double nap = 50e-6;
+    int64_t start = clock_ns();
+    while (waitpid(process, status, WNOHANG) == 0) {
+        if ((clock_ns() - start) * 1e-9 > grader.limit) {
+            kill(-process, SIGKILL);
+            waitpid(process, status, 0);
+            return false;
+        }
+        nanosleep(&(struct timespec){.tv_nsec = nap * 1e9}, NULL);
+        nap = nap < longest ? 1.5 * nap : longest;
+    }
+    kill(-process, SIGKILL); // what it may have left running
+    return true;
+}
+
+bool kit_enter(void)
+{
+    *grader.trace = (struct trace){.loaded = false};
+    if (ftruncate(grader.printed, 0) != 0)
+        fail("cannot empty the file for what is printed");
+    lseek(grader.printed, 0, SEEK_SET);
+    fflush(NULL);
+    pid_t process = fork();
+    if (process < 0)
+        fail("cannot start a process");
+    if (process == 0) {
+        become_student();
+        return true;
+    }
+    setpgid(process, process);
+    int status;
+    bool ended = wait_for(process, &status);
+    char *printed = read_printed();
+    char *report = find_report(printed);
+    pass_on(printed, report);
+    if (!ended)
+        broken("stopped",
+               kit_text("no answer after %g seconds", grader.limit),
+               "A loop that never ends: look at its condition, and at "
+               "what changes in its body.");
+    judge(status, report);
+    free(printed);
+    return false;
+}
+
+// ---- the tests -----------------------------------------------------
+
+static void put_cell(const char *text, char end)
+{
+    for (; text && *text; text++)
+        putc(*text == '\t' || *text == '\n' ? ' ' : *text,
+             grader.scores);
+    putc(end, grader.scores);
+}
+
+static void run_test(const struct kit_test *test, uint64_t seed)
+{
+    grader.status = "passed";
+    grader.fault = (struct kit_fault){.where = NULL};
+    grader.given[0] = '\0';
+    grader.text_length = 0;
+    if (setjmp(grader.end) == 0)
+        test->run(seed);
+    kit_next_case();
+    bool passed = strcmp(grader.status, "passed") == 0;
+    fprintf(grader.scores, "%s\t%d\t%d\t%s\t", test->name,
+            passed ? test->points : 0, test->points, grader.status);
+    put_cell(test->about, '\t');
+    fprintf(grader.scores, "%ju\t", (uintmax_t)seed);
+    put_cell(grader.given, '\t');
+    put_cell(grader.fault.where, '\t');
+    put_cell(grader.fault.expected, '\t');
+    put_cell(grader.fault.found, '\t');
+    put_cell(grader.fault.cause, '\n');
+    fflush(grader.scores);
+}
+
+static bool wanted(const char *name, char **names)
+{
+    if (!*names)
+        return true;
+    for (; *names; names++)
+        if (strcmp(name, *names) == 0)
+            return true;
+    return false;
+}
+
+static void prepare(const char *scores)
+{
+    FILE *printed = tmpfile();
+    grader.scores = fopen(scores, "w");
+    grader.trace =
+        mmap(NULL, sizeof *grader.trace, PROT_READ | PROT_WRITE,
+             MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (!printed || !grader.scores || grader.trace == MAP_FAILED)
+        fail("cannot write %s, or no memory", scores);
+    grader.printed = fileno(printed);
+    fprintf(grader.scores, "test\tpoints\tof\tstatus\tabout\tseed\t"
+                           "given\twhere\texpected\tfound\tcause\n");
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("grader", NULL);
+    uint64_t seed = 1;
+    grader.limit = 10;
+    for (int option; (option = getopt(argc, argv, "s:l:")) != -1;) {
+        if (option == 's')
+            seed = strtoull(optarg, NULL, 0);
+        else if (option == 'l')
+            grader.limit = atof(optarg);
+        else
+            return 2;
+    }
+    if (argc - optind < 3)
+        fail("say LIBRARY SOURCE SCORES");
+    grader.library = argv[optind];
+    grader.source = argv[optind + 1];
+    prepare(argv[optind + 2]);
+    for (const struct kit_test *test = kit_tests; test->name; test++)
+        if (wanted(test->name, argv + optind + 3))
+            run_test(test, seed);
+    return 0;
+}

@@ -1,0 +1,79 @@
+# Builds what exercises/kit/exercise and exercises/kit/check ask for:
+# the graders, in two variants, and the student's file as a library.
+# BUILD and CC come from the environment.
+K     := $(BUILD)/kit
+MARCH ?= native
+.DELETE_ON_ERROR:
+.SECONDARY:
+.SUFFIXES:
+
+flags := -std=c17 -g -fPIC -fopenmp -ffp-contract=off -D_GNU_SOURCE \
+	-Wall -Wextra -Wpedantic -Icode -Iexercises/kit
+sanitized := $(flags) -O1 -fno-omit-frame-pointer \
+	-fsanitize=address,undefined -fno-sanitize-recover=all
+optimized := $(flags) -O3 -march=$(MARCH)
+quick     := $(flags) -O1 -Werror
+library    = -Iexercises/$(1) -Wno-unused-parameter -shared -Wl,-Bsymbolic
+
+exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
+programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
+modules    := $(patsubst code/%.c,%,$(wildcard code/common/*.c))
+headers    := $(wildcard code/common/*.h exercises/kit/*.h)
+
+# ---- graders -------------------------------------------------------
+define variant_rules
+$(K)/$(1)/common/%.o: code/common/%.c $(headers)
+	@mkdir -p $$(@D)
+	$$(CC) $$($(1)) -c $$< -o $$@
+
+$(K)/$(1)/kit.o: exercises/kit/kit.c $(headers)
+	@mkdir -p $$(@D)
+	$$(CC) $$($(1)) -c $$< -o $$@
+
+$(K)/$(1)/%/grader: exercises/%/tests.c exercises/%/exercise.h \
+		$(K)/$(1)/kit.o $(modules:%=$(K)/$(1)/%.o)
+	@mkdir -p $$(@D)
+	$$(CC) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
+		$$(filter %.c %.o,$$^) -o $$@ -lm -ldl
+endef
+$(foreach v,sanitized optimized,$(eval $(call variant_rules,$(v))))
+
+# ---- the student's file: make library SOURCE= EXERCISE= VARIANT= TO= -
+library:
+	$(CC) $($(VARIANT)) $(call library,$(EXERCISE)) $(SOURCE) -o $(TO) -lm
+
+$(K)/%/starter.c: exercises/%/solution.c exercises/kit/starter.awk
+	@mkdir -p $(@D)
+	awk -f exercises/kit/starter.awk $< >$@
+
+# ---- the check: each result is a line that says ok or not ok -------
+mutants := $(foreach e,$(programmed),$(patsubst exercises/%.sed,$(K)/%.result,\
+	$(wildcard exercises/$(e)/mutants/*.sed)))
+results := $(exercises:%=$(K)/%/text.result) \
+	$(programmed:%=$(K)/%/starter.result) \
+	$(programmed:%=$(K)/%/solution.result) $(mutants)
+
+check: $(results)
+	@cat $(results)
+
+kit := exercises/kit/check exercises/kit/kit.mk exercises/kit/starter.awk
+$(K)/%/text.result: exercises/%/exercise.md $(kit)
+	@mkdir -p $(@D)
+	exercises/kit/check text $* >$@
+
+define result_rules
+$(K)/$(1)/starter.result: $(K)/$(1)/starter.c $(K)/optimized/$(1)/grader $(kit)
+	exercises/kit/check starter $(1) >$$@
+
+$(K)/$(1)/solution.result: exercises/$(1)/solution.c $(kit) \
+		$(K)/optimized/$(1)/grader $(K)/sanitized/$(1)/grader
+	exercises/kit/check solution $(1) >$$@
+
+$(K)/$(1)/mutants/%.result: exercises/$(1)/mutants/%.sed $(kit) \
+		exercises/$(1)/solution.c $(K)/optimized/$(1)/grader
+	@mkdir -p $$(@D)
+	exercises/kit/check mutant $(1) $$* >$$@
+endef
+$(foreach e,$(programmed),$(eval $(call result_rules,$(e))))
+
+.PHONY: library check

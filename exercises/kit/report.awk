@@ -1,0 +1,63 @@
+# Reports two runs of a grader: usage
+#   awk -f report.awk -v key=2.1 -v title=TITLE -v out=SCORES FIRST SECOND
+# Tells every failure, prints the score table, and writes both runs as
+# one table: a test earns its points if it passes in both.
+
+BEGIN { FS = OFS = "\t" }
+FNR == 1 { run++; head = $0; next }
+!($1 in about) { names[++tests] = $1; about[$1] = $5; worth[$1] = $3 }
+{ status[$1, run] = $4; row[$1] = $0 }
+$4 != "passed" { tell() }
+
+# A labelled text, wrapped at 72 columns.
+function line(label, text,    words, n, i, width) {
+    if (text == "")
+        return
+    printf "    %-9s", label
+    n = split(text, words, " ")
+    for (i = 1; i <= n; i++) {
+        width += length(words[i]) + 1
+        if (width > 59 && i > 1) {
+            printf "\n%13s", ""
+            width = length(words[i]) + 1
+        }
+        printf " %s", words[i]
+    }
+    print ""
+}
+
+function tell() {
+    printf "\n%s  %s: %s\n", $4 == "wrong" ? "WRONG" : "FAILED", $1, $5
+    if (told[$10 $11] != "" && $9 == "") {
+        print "    the same as " told[$10 $11]
+        return
+    }
+    told[$10 $11] = $1
+    line("where", $8)
+    line("expected", $9)
+    line("found", $10)
+    line("why", $11)
+    line("input", $7 ($7 != "" ? ", " : "") "seed " $6)
+    line("again", "make exercise" key " TEST=" $1 " SEED=" $6)
+}
+
+function cell(name, run) {
+    return (name, run) in status ? status[name, run] : "-"
+}
+
+END {
+    printf "\nExercise %s: %s\n\n", key, title
+    printf "  %-44s %-10s %-10s %s\n", "", "sanitized", "optimized", "points"
+    print head > out
+    for (t = 1; t <= tests; t++) {
+        n = names[t]
+        passed = cell(n, 1) == "passed" && cell(n, 2) == "passed"
+        printf "  %-44s %-10s %-10s %2d / %d\n", about[n], cell(n, 1),
+            cell(n, 2), passed * worth[n], worth[n]
+        points += passed * worth[n]
+        of += worth[n]
+        print row[n] > out
+    }
+    printf "  %-44s %-10s %-10s %2d / %d\n", "", "", "", points, of
+    exit points < of
+}
