@@ -7,13 +7,11 @@ set multiplot layout 2,4 margins 0.01,0.99,0.02,0.92 spacing 0.03,0.09
 unset tics; unset grid; unset key
 set border 15 ls 10
 set size ratio -1
-set offsets graph 0.06, graph 0.06, graph 0.06, graph 0.06
 do for [k = 1:words(names)] {
   name = word(names, k)
   set title name offset 0,-0.8
-  set autoscale
-  if (name eq "kuzmin") { set xrange [-6:6]; set yrange [-6:6] }
-  if (name eq "equal") { set xrange [0:1]; set yrange [0:1] }
+  low = name eq "kuzmin" ? -6 : name eq "clustered" ? -0.25 : -0.05
+  set xrange [low:1 - low]; set yrange [low:1 - low]
   plot table using (strcol(1) eq name ? $2 : NaN):3 with points pt 7 ps 0.17 lc rgb "black"
 }
 unset multiplot

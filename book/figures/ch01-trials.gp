@@ -9,8 +9,8 @@ stats us("trial") using ($3/1000) name "T" nooutput
 set xlabel "trial"
 set ylabel "microseconds"
 set xrange [0:T_records]
-set yrange [T_min*0.9:T_median + 12*(T_up_quartile - T_lo_quartile) + T_median*0.5]
+set yrange [T_min*0.95:T_median*1.5]
 set key top right
-plot us("trial") using 2:($3/1000) with points pt 7 ps 0.15 lc rgb "#14447c" title "one trial", \
+plot us("trial") using 2:($3/1000) with points pt 7 ps 0.2 lc rgb "#14447c" title "one trial", \
      T_mean with lines ls 11 title "mean", \
      T_median with lines lt 2 dt 1 title "median"
