@@ -8,9 +8,22 @@ local special = {
   ["~"] = "\\textasciitilde{}",
 }
 
+-- The fonts have no raised minus: an exponent is digits, raised.
+local raised = {
+  ["⁻"] = "\u{2212}", ["⁰"] = "0", ["¹"] = "1", ["²"] = "2", ["³"] = "3",
+  ["⁴"] = "4", ["⁵"] = "5", ["⁶"] = "6", ["⁷"] = "7", ["⁸"] = "8",
+  ["⁹"] = "9",
+}
+
+local function exponent(digits)
+  return "10\\textsuperscript{" .. digits:gsub(utf8.charpattern, raised)
+    .. "}"
+end
+
 -- Running text. A thin space (U+2009) keeps number and unit together.
 function latex.text(s)
-  return (s:gsub("[\\{}$&#%%_^~]", special):gsub("\u{2009}", "\\,"))
+  return (s:gsub("[\\{}$&#%%_^~]", special):gsub("\u{2009}", "\\,")
+    :gsub("10([\xc2\xe2][\xb2\xb3\xb9\x81\x82][\x80-\xff]*)", exponent))
 end
 
 -- The same for the typewriter, where a space is a column.

@@ -1,19 +1,19 @@
 -- Reads LaTeX's log. The press has LaTeX write "@@file:line" into it
--- before every block, so each complaint belongs to the last place named
--- above it.
+-- before every block, so a complaint about a block belongs to the last
+-- place named above it. What LaTeX finds out only when it ships a page,
+-- or at the very end, has words instead, to look for in the sources.
 local log = {}
 
--- What in a line is a fault, and how we say it. A function may look at
--- the line's number in the log for more.
+-- What in a line is a fault, how we say it, and the words to look for.
 local complaints = {
   { "^Overfull \\([hv])box %(([%d.]+)pt too", function(box, excess)
-    return ("this is %s pt too %s for the page"):format(excess,
-      box == "h" and "wide" or "high")
+    return ("this is %.1f pt too %s for the page"):format(
+      tonumber(excess), box == "h" and "wide" or "high")
   end },
-  { "^Missing character: There is no (.-) in font ([^:/]*)",
-    function(character, font)
-      return ("the font %s has no %s"):format(
-        font:gsub("[%[%]]", ""), character)
+  { "^Missing character: There is no (%S+) (%b()) in font ([^:/]*)",
+    function(character, code, font)
+      return ("the font %s has no %s %s"):format(
+        font:gsub("[%[%]]", ""), character, code), character
     end },
   { "^LaTeX Warning: Reference [`'](.-)' on page %S+ undefined",
     function(label)
@@ -21,7 +21,8 @@ local complaints = {
     end },
   { "^LaTeX Warning: Label [`'](.-)' multiply defined",
     function(label)
-      return ('the label "%s" exists twice'):format(label)
+      return ('the label "%s" exists twice'):format(label),
+        "{" .. label .. "}"
     end },
   { "^! ([^ ].*)$", function(message)
     return "LaTeX says: " .. message
@@ -31,7 +32,7 @@ local complaints = {
   end },
 }
 
--- The faults of a log, as a list of { file, line, sentence }.
+-- The faults of a log, as a list of { file, line, sentence, words }.
 function log.faults(text)
   local found = {}
   local file, line = "book.tex", 1

@@ -164,7 +164,12 @@ local chapters = {}
 for _, path in ipairs(job.chapters) do
   table.insert(chapters, about(path))
 end
-typeset.run(folder, chapters)
+local sources = below("exercises", "/exercise%.md$")
+for _, list in ipairs { job.code, job.chapters, job.appendices, job.data,
+  { job.front, job.bibliography } } do
+  table.move(list, 1, #list, #sources + 1, sources)
+end
+typeset.run(folder, chapters, sources)
 stop_at(faults.report())
 local pdf = mode == "--draft" and "/draft.pdf" or "/near-and-far.pdf"
 assert(os.rename(folder .. "/book.pdf", build .. pdf))

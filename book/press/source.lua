@@ -34,6 +34,18 @@ function source:seek(words)
   return self.cursor
 end
 
+-- Moves the cursor to the line that is just this, but for its indent.
+function source:seek_line(line)
+  line = line:match("^%s*(.-)%s*$")
+  for number = self.cursor, #self.lines do
+    if self.lines[number]:match("^%s*(.-)%s*$") == line then
+      self.cursor = number
+      break
+    end
+  end
+  return self.cursor
+end
+
 -- The line of the words: ahead, or anywhere, or as near as we know.
 function source:find(words)
   local number = self:ahead(words)

@@ -37,8 +37,17 @@ local function write_pages(folder, chapters)
   files.write(folder .. "/pages.tsv", table.concat(lines, "\n") .. "\n")
 end
 
+-- The first place among the sources where the words stand.
+local function locate(words, sources)
+  for _, path in ipairs(sources) do
+    for number, line in ipairs(files.lines(path)) do
+      if line:find(words, 1, true) then return path, number end
+    end
+  end
+end
+
 -- Makes book.pdf and pages.tsv of book.tex, and collects the faults.
-function typeset.run(folder, chapters)
+function typeset.run(folder, chapters, sources)
   os.remove(folder .. "/typeset.out")
   local before
   for _ = 1, MOST_RUNS do
@@ -56,7 +65,12 @@ function typeset.run(folder, chapters)
     return
   end
   for _, fault in ipairs(log.faults(text)) do
-    faults.add(fault[1], fault[2], "%s", fault[3])
+    local path, line = fault[1], fault[2]
+    if fault[4] then
+      local other_path, other_line = locate(fault[4], sources)
+      path, line = other_path or path, other_line or line
+    end
+    faults.add(path, line, "%s", fault[3])
   end
   if state(folder) ~= before and #faults.list == 0 then
     faults.add("book.tex", 1, "the pages do not settle in %d runs of LaTeX",

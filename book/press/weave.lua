@@ -410,10 +410,19 @@ end
 -- ---- blocks -----------------------------------------------------------
 local block, code = {}, {}
 
+-- After a listing, a small letter goes on with the sentence.
+local function goes_on(x, previous)
+  return x.t == "Para" and previous and previous.t == "CodeBlock"
+    and opening(x.content):match("^%l") ~= nil
+end
+
 function weave.blocks(list)
   local result = pandoc.List()
-  for _, x in ipairs(list) do
+  for i, x in ipairs(list) do
     local handler = block[x.t]
+    if goes_on(x, list[i - 1]) then
+      result:insert(raw_block("\\continued"))
+    end
     local new = handler and handler(x) or x
     if new.t then result:insert(new) else result:extend(new) end
   end
@@ -669,7 +678,7 @@ function code.fragment(x)
   for _, title in ipairs(files.split(x.text)) do
     title = title:match("^%s*(.-)%s*$")
     local fragment = book.fragments.by_title[title]
-    local line = here.source:seek(title)
+    local line = here.source:seek_line(title)
     if title == "" then
       -- nothing between two titles
     elseif not fragment then
@@ -688,7 +697,7 @@ function code.fragment(x)
 end
 
 function code.c(x, lines)
-  local first = here.source:seek(lines[1]:match("^%s*(.-)%s*$"))
+  local first = here.source:seek_line(lines[1])
   check_width(lines, first)
   local fails, body = false, false
   for i = 2, #x.classes do
@@ -743,7 +752,7 @@ function block.CodeBlock(x)
       x.classes[1] == "output" and "{.output" or lines[1])
   end
   if code[class] then return code[class](x, lines) end
-  local first = here.source:seek(lines[1])
+  local first = here.source:seek_line(lines[1])
   check_width(lines, first)
   return raw_block(mark(first) .. listing.plain(lines))
 end

@@ -1,0 +1,99 @@
+#!/bin/sh
+# The press's own tests, without LaTeX. Takes the small book good/ as it
+# is; then once with each fault of faults/*.sed, whose first line names
+# the file it spoils and whose second the beginning of a message that
+# must stop the press. Ends with the tests of modules.lua.
+here=$(cd "$(dirname "$0")" && pwd)
+press=$here/../../book/press
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# A fresh copy of the small book.
+book() {
+    cp -R "$here/good" "$1" && mkdir -p "$1/build/figures" &&
+        : >"$1/build/figures/ch01-speed.pdf"
+}
+
+check() {
+    texlua "$press/press.lua" --check --root "$1" >"$1/said" 2>&1
+}
+
+test_good() {
+    book "$scratch/good"
+    if check "$scratch/good" && [ ! -s "$scratch/good/said" ]; then
+        echo "ok good"
+    else
+        echo "not ok good: status $?, $(head -n 1 "$scratch/good/said")"
+    fi
+}
+
+# What the good book must print: words of its LaTeX, one a line.
+test_printed() {
+    while IFS= read -r words; do
+        if grep -qF -e "$words" "$scratch/good/build/book/book.tex"; then
+            printf 'ok printed: %s\n' "$words"
+        else
+            printf 'not ok printed: no %s\n' "$words"
+        fi
+    done <"$here/printed"
+    for words in 'Look at the comparison' 'It computes'; do
+        if grep -qF "$words" "$scratch/good/build/book/book.tex"; then
+            echo "not ok printed: a hint or an answer, $words"
+        else
+            echo "ok not printed: $words"
+        fi
+    done
+}
+
+# A claim that does not hold is said and printed, and stops nothing.
+test_claim() {
+    place=$scratch/claim
+    book "$place"
+    sed -i.bak '20s/10 < ch01/10 > ch01/' "$place/chapters/ch01-near.md"
+    expect='chapters/ch01-near.md:20: on this machine it does not hold'
+    if ! check "$place"; then
+        echo "not ok claim: it stops the press"
+    elif ! grep -q "^$expect" "$place/said"; then
+        echo "not ok claim: the press said $(cat "$place/said")"
+    elif ! grep -qF 'nine.\doesnothold{}' "$place/build/book/book.tex"; then
+        echo "not ok claim: the book does not say it"
+    else
+        echo "ok claim"
+    fi
+}
+
+test_fault() {
+    name=$(basename "$1" .sed)
+    place=$scratch/$name
+    file=$(sed -n '1s/^# //p' "$1")
+    expect=$(sed -n '2s/^# expect: //p' "$1")
+    book "$place"
+    sed -f "$1" "$here/good/$file" >"$place/$file"
+    check "$place"
+    status=$?
+    if cmp -s "$here/good/$file" "$place/$file" || [ -z "$expect" ]; then
+        echo "not ok fault $name: there is no fault"
+    elif [ $status -ne 1 ]; then
+        echo "not ok fault $name: status $status, not 1"
+    elif ! awk -v expect="$expect" 'index($0, expect) == 1 { found = 1 }
+            END { exit !found }' "$place/said"; then
+        echo "not ok fault $name: the press said $(head -n 1 "$place/said")"
+    else
+        echo "ok fault $name"
+    fi
+    rm -rf "$place"
+}
+
+test_good
+test_printed
+test_claim
+running=0
+for fault in "$here"/faults/*.sed; do
+    test_fault "$fault" >"$scratch/$(basename "$fault").result" &
+    running=$((running + 1))
+    [ $((running % 4)) -ne 0 ] || wait
+done
+wait
+cat "$scratch"/*.result
+texlua "$here/modules.lua" "$press" "$here"
