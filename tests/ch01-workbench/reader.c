@@ -67,8 +67,7 @@ void good_tables_are_read(void)
         "\"x\",\"y\"\n1,2.5\n-3e2,.1\n",
         "# made by hand\n\nlongitude;latitude\n1;2.5\n-3e2;.1\n",
         "\xef\xbb\xbfx,y\n1,2.5\n-3e2,.1\n",
-        "\xef\xbb\xbf"
-        "1,2.5\n-3e2,.1\n",
+        "\357\273\2771,2.5\n-3e2,.1\n",
         "+1 0002.50\n-300. 1e-1\n",
     };
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
