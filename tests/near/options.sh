@@ -1,0 +1,60 @@
+#!/bin/sh
+# The command line, strictly.
+. "$(dirname "$0")/checks"
+
+whole='expected a whole number from'
+refuses 'no points at all' 'which points? Name a FILE, or say -n N'
+refuses 'only a distribution' 'which points?' -d circle
+for n in 0 1 -5 1e12 4294967296 1.5 1e400 nan inf 0x10 10x '' ' 5' +5; do
+    refuses "-n '$n'" "-n: $whole 2 to 4294967295, found \"$n\"" -n "$n"
+done
+for t in 0 -1 1025 two 1.5; do
+    refuses "-t '$t'" "-t: $whole 1 to 1024, found \"$t\"" -n 10 -t "$t"
+done
+refuses '-r 0' "-r: $whole 1 to 1000000" -n 10 -r 0
+refuses 'a seed with letters' '-s: expected a whole number' -n 10 -s 12a
+refuses 'a seed below zero' '-s: expected a whole number' -n 10 -s -1
+refuses 'a seed too large' '-s: expected' -n 10 -s 18446744073709551616
+refuses 'an unknown algorithm' \
+    '-a: there is no algorithm "oracle"; see near --list' -n 10 -a oracle
+refuses 'an unknown distribution' \
+    '-d: there is no distribution "gauss"; see near --list' -n 10 -d gauss
+refuses 'an unknown geometry' \
+    '-g: expected standard or wraparound, found "torus"' -n 10 -g torus
+refuses 'an unknown option' 'what is --fast? See near --help' -n 10 --fast
+refuses 'an unknown letter' 'what is -q? See near --help' -n 10 -q
+refuses 'an unknown letter among others' 'what is -x? See' -n 10 -xyz
+refuses 'a value too many' 'what is --check=yes? See' -n 10 --check=yes
+refuses 'a value too few' '-n needs a value; see near --help' -n
+refuses 'a value too few for a word' '--box needs a value' -n 10 --box
+refuses 'two files' 'one FILE at a time, please: "a" and "b" are two' a b
+refuses 'a file and a number' 'points come from a file or from -n' a -n 10
+refuses 'a file and a seed' 'points come from a file or from -n' a -s 3
+refuses 'columns of no file' '--columns is for points from a file' \
+    -n 10 --columns 1,2
+for columns in 1 0,1 1,2,3 a,b 1.5,2 1, ''; do
+    refuses "--columns '$columns'" '--columns: expected two column numbers' \
+        a --columns "$columns"
+done
+for box in 0,0,1 0,0,0,1 1,0,0,1 0,1,1,0 0,0,nan,1 -1e308,0,1e308,1 0,0,1,1,; do
+    refuses "--box $box" '--box: expected X0,Y0,X1,Y1' \
+        -n 10 -g wraparound --box "$box"
+done
+refuses 'a box that does not wrap' '--box is for -g wraparound' \
+    -n 10 --box 0,0,1,1
+refuses 'two tables in one place' '--timing and -o - both want' \
+    -n 10 --timing -o -
+
+accepts 'a number with an exponent' -n 1e2
+accepts 'more threads than cores' -n 100 -t 64
+accepts 'the largest seed' -n 10 -s 18446744073709551615
+accepts '--help' --help
+says 'names every option' '' "$(for option in -n -d -s --columns -a -g --box \
+    -t -r -o --timing --check --list; do
+    grep -q -e "^  $option " "$out" || echo "$option"
+done)"
+accepts '--list' --list
+for row in uniform clustered lattice circle kuzmin two-clusters equal collinear; do
+    grep -q "^$row  *[a-zA-Z]" "$out" && ok "--list has $row" ||
+        not_ok "--list has $row" "it has not"
+done
