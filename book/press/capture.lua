@@ -19,16 +19,18 @@ local function run(command)
   return text, how == "signal" and 128 + status or status
 end
 
--- Compiles a C text, which is a file or, if there are parameters, a
--- function's body with the headers of the workbench above it. #line makes the compiler's message name the place
+-- Compiles a C text: a file, with C's own headers above it, or, if there
+-- are parameters, a function's body, with the workbench's as well. #line makes the compiler's message name the place
 -- in the chapter. Returns whether it compiled, and the first error as
 -- line and sentence.
 function capture.compile(job, text, path, line, parameters)
   local program = {}
-  if parameters then
-    for _, header in ipairs(job.headers) do
-      table.insert(program, ("#include %s"):format(header))
+  for _, header in ipairs(job.headers) do
+    if parameters or header:match("^<") then
+      table.insert(program, "#include " .. header)
     end
+  end
+  if parameters then
     table.insert(program, ("void illustration(%s)\n{"):format(parameters))
   end
   table.insert(program, ('#line %d "%s"'):format(line, path))

@@ -5,7 +5,9 @@ local latex = require "latex"
 
 local listing = {}
 
-local KEEP_TOGETHER = 30 -- listings of so many lines never break
+local SHORT = 18 -- a listing of so many lines stays on one page
+local LONG = 30  -- one of more may break between any two lines,
+local ENDS = 3   -- but never so close to an end
 
 function listing.code_line(line, in_comment)
   local pieces
@@ -22,19 +24,24 @@ function listing.code_line(line, in_comment)
   return table.concat(pieces), in_comment
 end
 
--- The lines one below the other. A long listing may break, best at a
--- blank line, never within two lines of its ends.
+-- What stands between line i and the next.
+local function between(lines, i)
+  if #lines <= SHORT or i < ENDS or i > #lines - ENDS then
+    return "\\keep"
+  elseif lines[i] == "" then
+    return "\\breakhere"
+  end
+  return #lines > LONG and "\\breakifneeded" or "\\breakifpressed"
+end
+
+-- The lines one below the other. A listing that has to break does so at
+-- a blank line, if there is one.
 local function stacked(lines)
   local result = {}
   for i, line in ipairs(lines) do
     table.insert(result, line == "" and "\\codeblank" or
       "\\codeline{" .. line .. "}")
-    if i < #lines then
-      local near_end = i < 3 or i > #lines - 3
-      local penalty = (#lines <= KEEP_TOGETHER or near_end) and "\\keep"
-        or line == "" and "\\breakhere" or "\\breakifneeded"
-      table.insert(result, penalty)
-    end
+    if i < #lines then table.insert(result, between(lines, i)) end
   end
   return table.concat(result, "\n")
 end
