@@ -34,6 +34,19 @@ struct layouts {
 //<
 
 //> Count the points within a radius
+static void over_arrays(void *context)
+{
+    struct layouts *l = context;
+    const double *x = l->arrays.x, *y = l->arrays.y;
+    long within = 0;
+    for (uint32_t j = 0; j < l->arrays.n; j++)
+        within +=
+            distance2(l->x - x[j], l->y - y[j]) < l->radius * l->radius;
+    l->within = within;
+}
+//<
+
+//> Count them in the other two layouts
 static void over_records(void *context)
 {
     struct layouts *l = context;
@@ -53,17 +66,6 @@ static void over_pairs(void *context)
         within +=
             distance2(l->x - l->pairs[j].x, l->y - l->pairs[j].y) <
             l->radius * l->radius;
-    l->within = within;
-}
-
-static void over_arrays(void *context)
-{
-    struct layouts *l = context;
-    const double *x = l->arrays.x, *y = l->arrays.y;
-    long within = 0;
-    for (uint32_t j = 0; j < l->arrays.n; j++)
-        within +=
-            distance2(l->x - x[j], l->y - y[j]) < l->radius * l->radius;
     l->within = within;
 }
 //<
