@@ -153,7 +153,7 @@ end
 local function about(path)
   local id = files.name(path):match("^ch%d%d")
   return { id = id, number = tonumber(id:sub(3)),
-    title = files.read(path):match("^# *([^\n{]-) *[\n{]") }
+    title = files.read(path):match("^# *([^\n{]-) *[\n{]"):gsub("`", "") }
 end
 
 stop_at(faults.report())

@@ -496,7 +496,11 @@ function block.Header(x)
   if here.exercise then
     return raw_block(place .. "\\exercisehead{" .. latex.text(
       stringify(x.content)) .. "}")
-  elseif x.level == 1 and not here.front then
+  elseif here.front then
+    x.content:insert(1, raw(x.level == 1 and "\\addchap{" or "\\section*{"))
+    x.content:insert(raw("}"))
+    return pandoc.List { raw_block(place), pandoc.Plain(x.content) }
+  elseif x.level == 1 then
     fault(opening(x.content), "a chapter has one title, its first line")
   end
   own_label(x.identifier, "sec", "#" .. x.identifier)
