@@ -65,17 +65,17 @@ static const char *names_of_answers(unsigned set)
 
 void print_list(void)
 {
-    printf("%-16s %-7s %-10s %-8s %-12s %s\n", "algorithm", "chapter",
-           "geometry", "answers", "cost", "");
+    printf("%-20s %-7s %-10s %-8s %-8s %s\n", "algorithm", "chapter",
+           "geometry", "answers", "cost", "what it does");
     for (int row = 0; row < algorithm_count; row++) {
         const struct algorithm *a = &algorithms[row];
-        printf("%-16s %-7d %-10s %-8s %-12s %s\n", a->name, a->chapter,
+        printf("%-20s %-7d %-10s %-8s %-8s %s\n", a->name, a->chapter,
                names_of_geometries(a->geometries),
                names_of_answers(a->answers), a->cost, a->about);
     }
-    printf("\n%-16s\n", "distribution");
+    printf("\n%s\n", "distribution");
     for (int row = 0; row < distribution_count; row++)
-        printf("%-16s %s\n", distributions[row].name,
+        printf("%-20s %s\n", distributions[row].name,
                distributions[row].about);
 }
 //<
