@@ -258,7 +258,7 @@ static void print_summary(const struct options *options,
     if (answers->furthest)
         summarize_distances("furthest", answers->furthest2, n);
     for (int k = 0; k < plan->count; k++)
-        printf("time      %.3g s, %s with %d thread%s\n",
+        printf("time      %.3g s, %s, at most %d thread%s\n",
                1e-9 * plan->ns[k].median, plan->algorithms[k]->name,
                question->threads, question->threads > 1 ? "s" : "");
 }

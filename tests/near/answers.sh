@@ -94,7 +94,7 @@ says 'has its nearest distance' 'nearest   0.1 on average' \
     "$(sed -n 3p "$out")"
 grep -q '^furthest  [0-9.]* on average' "$out" && ok 'has the furthest' ||
     not_ok 'has the furthest' "$(cat "$out")"
-grep -q '^time  .* s, .* with 2 threads' "$out" && ok 'has a time' ||
+grep -q '^time  .* s, .* at most 2 threads' "$out" && ok 'has a time' ||
     not_ok 'has a time' "$(cat "$out")"
 
 accepts 'a check' -n 100 --check
