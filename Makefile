@@ -154,7 +154,7 @@ check-race: | $(BUILD)/setup/check
 
 #: every test under the address and undefined-behavior sanitizers
 check-memory: | $(BUILD)/setup/test
-	$(MAKE) test BUILD=$(BUILD)/memory \
+	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
 		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
 		-fsanitize=address,undefined"
 
