@@ -163,6 +163,7 @@ void *kit_output(const char *name, size_t count, size_t size)
 
 void kit_next_case(void)
 {
+    grader.text_length = 0;
     size_t page = sysconf(_SC_PAGESIZE);
     while (grader.array_count > 0) {
         struct array *array = &grader.arrays[--grader.array_count];
@@ -566,10 +567,8 @@ static void run_test(const struct kit_test *test, uint64_t seed)
     grader.status = "passed";
     grader.fault = (struct kit_fault){.where = NULL};
     grader.given[0] = '\0';
-    grader.text_length = 0;
     if (setjmp(grader.end) == 0)
         test->run(seed);
-    kit_next_case();
     bool passed = strcmp(grader.status, "passed") == 0;
     fprintf(grader.scores, "%s\t%d\t%d\t%s\t", test->name,
             passed ? test->points : 0, test->points, grader.status);
@@ -581,6 +580,7 @@ static void run_test(const struct kit_test *test, uint64_t seed)
     put_cell(grader.fault.found, '\t');
     put_cell(grader.fault.cause, '\n');
     fflush(grader.scores);
+    kit_next_case();
 }
 
 static bool wanted(const char *name, char **names)

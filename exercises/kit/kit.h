@@ -61,7 +61,7 @@ struct kit_fault {
 #define WRONG(...) kit_wrong((struct kit_fault){__VA_ARGS__})
 _Noreturn void kit_wrong(struct kit_fault fault);
 
-// Text for a fault; lasts until the test ends.
+// Text for a fault; lasts as long as the arrays.
 const char *kit_text(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 const char *kit_point(struct points points, uint32_t i);

@@ -13,7 +13,8 @@ sanitized := $(flags) -O1 -fno-omit-frame-pointer \
 	-fsanitize=address,undefined -fno-sanitize-recover=all
 optimized := $(flags) -O3 -march=$(MARCH)
 quick     := $(flags) -O1 -Werror
-library    = -Iexercises/$(1) -Wno-unused-parameter -shared -Wl,-Bsymbolic
+# With hooks for slow_motion.h, if the tests want them.
+slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thread)
 
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
@@ -26,12 +27,12 @@ $(K)/$(1)/common/%.o: code/common/%.c $(headers)
 	@mkdir -p $$(@D)
 	$$(CC) $$($(1)) -c $$< -o $$@
 
-$(K)/$(1)/kit.o: exercises/kit/kit.c $(headers)
+$(K)/$(1)/%.o: exercises/kit/%.c $(headers)
 	@mkdir -p $$(@D)
 	$$(CC) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%/grader: exercises/%/tests.c exercises/%/exercise.h \
-		$(K)/$(1)/kit.o $(modules:%=$(K)/$(1)/%.o)
+		$(K)/$(1)/kit.o $(K)/$(1)/slow_motion.o $(modules:%=$(K)/$(1)/%.o)
 	@mkdir -p $$(@D)
 	$$(CC) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
 		$$(filter %.c %.o,$$^) -o $$@ -lm -ldl
@@ -40,7 +41,10 @@ $(foreach v,sanitized optimized,$(eval $(call variant_rules,$(v))))
 
 # ---- the student's file: make library SOURCE= EXERCISE= VARIANT= TO= -
 library:
-	$(CC) $($(VARIANT)) $(call library,$(EXERCISE)) $(SOURCE) -o $(TO) -lm
+	$(CC) $($(VARIANT)) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
+		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
+		-c $(SOURCE) -o $(TO).o
+	$(CC) $($(VARIANT)) -shared -Wl,-Bsymbolic $(TO).o -o $(TO) -lm
 
 $(K)/%/starter.c: exercises/%/solution.c exercises/kit/starter.awk
 	@mkdir -p $(@D)

@@ -1,0 +1,3 @@
+# Only half the directions.
+# expect: Not all directions
+s/r \* y/r * fabs(y)/

@@ -1,0 +1,3 @@
+# The seed is not used.
+# expect: seed
+s/{seed}/{42}/

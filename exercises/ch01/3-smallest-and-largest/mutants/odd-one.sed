@@ -1,0 +1,3 @@
+# For an odd n the last value is never compared.
+# expect: odd
+s/uint32_t i = n % 2; i < n;/uint32_t i = 0; i + 1 < n;/

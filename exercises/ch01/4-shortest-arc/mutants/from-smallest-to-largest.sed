@@ -1,0 +1,5 @@
+# The border is taken for a wall.
+# expect: not a wall
+s/start = sorted\[i\];//
+s/return (struct arc){start, 1 - widest}/return (struct arc){start, last - start}/
+s/free(sorted);/double last = sorted[n - 1]; free(sorted); (void)widest;/

@@ -1,0 +1,3 @@
+# The product is computed in 32 bits.
+# expect: 32 bits
+s/(uint64_t)i \* (2 \* (uint64_t)n - i - 1)/i * (2 * n - i - 1)/

@@ -1,0 +1,4 @@
+# The root is taken in single precision, and not corrected.
+# expect: A root was rounded
+s/sqrt(8.0/sqrtf(8.0f/
+/while (triangle(t)/,/t++;/d

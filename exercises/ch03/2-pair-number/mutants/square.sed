@@ -1,0 +1,3 @@
+# The rows of a full square.
+# expect: full square
+s/return (uint64_t)i \* (2.*/return (uint64_t)i * n + j;/

@@ -1,0 +1,3 @@
+# Every thread gets as many rows, as a static schedule does.
+# expect: as many rows
+s/while (done \* threads < all \* (t + 1))/while (all > 0 \&\& i < (uint64_t)n * (t + 1) \/ threads)/

@@ -1,0 +1,222 @@
+// Tests of the parallel nearest pair: answers under several numbers of
+// threads, the pairs measured, ties with a thread that comes late, and
+// lost updates in slow motion.
+#include "common/random.h"
+#include "exercise.h"
+#include "kit.h"
+#include "slow_motion.h"
+#include <omp.h>
+#include <stdatomic.h>
+#include <string.h>
+#include <time.h>
+
+enum { THREADS_MAX = 64 };
+
+// What measure() answers and notes, in the student's process.
+static const double *distances; // of pair i, j at place_of(i, j)
+static struct notes {
+    _Atomic uint32_t invalid;         // calls for no pair
+    _Atomic bool worked[THREADS_MAX]; // which threads called
+} * notes;
+static _Atomic uint32_t *times; // each pair was measured
+static uint32_t point_count;
+static long first_row_ns, other_rows_ns; // what a call takes
+
+static size_t place_of(uint32_t i, uint32_t j)
+{
+    return i < j ? (size_t)j * (j - 1) / 2 + i
+                 : (size_t)i * (i - 1) / 2 + j;
+}
+
+double measure(uint32_t i, uint32_t j)
+{
+    notes->worked[omp_get_thread_num() % THREADS_MAX] = true;
+    if (i >= point_count || j >= point_count || i == j) {
+        notes->invalid++;
+        return 0;
+    }
+    long ns = i == 0 || j == 0 ? first_row_ns : other_rows_ns;
+    if (ns > 0)
+        nanosleep(&(struct timespec){.tv_nsec = ns}, NULL);
+    times[place_of(i, j)]++;
+    return distances[place_of(i, j)];
+}
+
+static struct pair search(uint32_t n)
+{
+    struct pair best = {0, 1, distances[0]};
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = i + 1; j < n; j++)
+            if (distances[place_of(i, j)] < best.distance2)
+                best = (struct pair){i, j, distances[place_of(i, j)]};
+    return best;
+}
+
+// Sets the distances of all pairs of n points; all alike if asked for.
+static void prepare(uint32_t n, bool alike, uint64_t seed)
+{
+    size_t pairs = (size_t)n * (n - 1) / 2;
+    struct random random = {seed};
+    double *filled = kit_input("the distances", pairs, sizeof *filled);
+    for (size_t p = 0; p < pairs; p++)
+        filled[p] = alike ? 0.25 : 1 + random_uniform(&random);
+    distances = filled;
+    point_count = n;
+    first_row_ns = other_rows_ns = 0;
+    notes = kit_output("the notes", 1, sizeof *notes);
+    *notes = (struct notes){.invalid = 0};
+    times = kit_output("the notes", pairs, sizeof *times);
+    for (size_t p = 0; p < pairs; p++)
+        times[p] = 0;
+}
+
+static const char *tell(struct pair pair)
+{
+    return kit_text("(%u, %u), squared distance %.17g", pair.i, pair.j,
+                    pair.distance2);
+}
+
+static const char *cause(uint32_t n, struct pair right,
+                         struct pair found)
+{
+    if (notes->invalid)
+        return "measure() was asked about indices that are no pair.";
+    if (found.distance2 < right.distance2 || found.i >= found.j ||
+        found.j >= n)
+        return "No pair is that near. What does each thread begin "
+               "with, and what does a thread without work hand in?";
+    if (found.distance2 != distances[place_of(found.i, found.j)])
+        return "This is not the distance of this pair: indices and "
+               "distance must change together.";
+    if (found.distance2 == right.distance2)
+        return "These tie, and this one was found by whichever thread "
+               "came first or last. Compare the indices, too, when "
+               "threads hand in their results.";
+    if (times[place_of(right.i, right.j)] == 0)
+        return "The nearest pair was never measured.";
+    return "It was measured and then forgotten: does every thread "
+           "hand in its best pair, and no worse one replace it?";
+}
+
+static void check(uint32_t n, int threads)
+{
+    kit_given("%u points, %d threads", n, threads);
+    struct pair *found = kit_output("the answer", 1, sizeof *found);
+    CALL(omp_set_num_threads(1);
+         *found = STUDENT(nearest_pair)(n, threads));
+    struct pair right = search(n);
+    if (found->i != right.i || found->j != right.j ||
+        found->distance2 != right.distance2)
+        WRONG(.expected = tell(right), .found = tell(*found),
+              .cause = cause(n, right, *found));
+}
+
+static void right(uint64_t seed)
+{
+    for (int threads = 1; threads <= 8; threads *= 2) {
+        prepare(300, false, seed + threads);
+        check(300, threads);
+        kit_next_case();
+    }
+}
+
+static void few_points(uint64_t seed)
+{
+    for (uint32_t n = 2; n <= 6; n++) {
+        prepare(n, false, seed);
+        check(n, 8);
+        kit_next_case();
+    }
+}
+
+static void once(uint64_t seed)
+{
+    const uint32_t n = 100;
+    prepare(n, false, seed);
+    check(n, 4);
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = i + 1; j < n; j++) {
+            uint32_t found = times[place_of(i, j)];
+            if (found != 1)
+                WRONG(.where = kit_text("pair (%u, %u)", i, j),
+                      .expected = "measured once",
+                      .found = kit_text("%u times", found),
+                      .cause = found == 0 ? "It was left out."
+                               : found == 2
+                                   ? "Is it measured as (j, i), too?"
+                                   : "As it seems, every thread runs "
+                                     "the whole loop: share it with "
+                                     "#pragma omp for.");
+        }
+}
+
+// Every row takes its time, so that no thread can do it all alone.
+static void shared(uint64_t seed)
+{
+    for (int threads = 2; threads <= 4; threads++) {
+        prepare(8, false, seed);
+        first_row_ns = other_rows_ns = 1000000;
+        check(8, threads);
+        int worked = 0;
+        for (int t = 0; t < THREADS_MAX; t++)
+            worked += notes->worked[t];
+        if (worked < 2 || worked > threads)
+            WRONG(.expected =
+                      kit_text("2 to %d threads at work", threads),
+                  .found = kit_text("%d", worked),
+                  .cause = "A parallel region has as many threads as "
+                           "its clause num_threads(threads) says.");
+        kit_next_case();
+    }
+}
+
+// All pairs tie; the thread with the winner comes last, then first.
+static void ties(uint64_t seed)
+{
+    enum { TRIALS = 12 };
+    const long soon = 2000000, late = 10000000;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        prepare(3, true, seed);
+        first_row_ns = trial % 2 ? soon : late;
+        other_rows_ns = trial % 2 ? late : soon;
+        check(3, 2 + trial / 2 % 2);
+        kit_next_case();
+    }
+}
+
+static void lost_updates(uint64_t seed)
+{
+    enum { TRIALS = 60 };
+    const uint32_t n = 4;
+    for (uint64_t trial = 0; trial < TRIALS; trial++) {
+        int threads = 2 + trial % 3;
+        prepare(n, false, seed + trial);
+        first_row_ns = other_rows_ns = 100000; // nobody does it alone
+        check(n, threads);
+        struct pair *found = kit_output("the answer", 1, sizeof *found);
+        CALL(slow_motion(true);
+             *found = STUDENT(nearest_pair)(n, threads));
+        struct pair right = search(n);
+        if (memcmp(found, &right, sizeof right) != 0)
+            WRONG(.where = kit_text("trial %ju, in slow motion",
+                                    (uintmax_t)trial + 1),
+                  .expected = tell(right), .found = tell(*found),
+                  .cause =
+                      "An update was lost, or two were mixed: "
+                      "while one thread slept, another wrote, too. "
+                      "The comparison with the common best pair "
+                      "and its update belong into one critical "
+                      "region.");
+        kit_next_case();
+    }
+}
+
+const struct kit_test kit_tests[] = {
+    {"right", 2, "the nearest of 300 points", right},
+    {"few-points", 1, "more threads than points", few_points},
+    {"once", 2, "every pair is measured once", once},
+    {"shared", 1, "several threads work", shared},
+    {"ties", 2, "ties, whoever comes first", ties},
+    {"lost-updates", 2, "no update is lost", lost_updates},
+    {0},
+};
