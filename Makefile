@@ -121,6 +121,11 @@ $(BUILD)/near-and-far.pdf: $(programs) $(figures) $(press) $(sources) \
 check-book: $(programs) $(figures) | $(BUILD)/setup/test
 	BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --check --build $(BUILD)
 
+#: the picture in README.md
+picture:
+	gnuplot -e "format = 'png'; output = 'book/nearest-and-furthest.png'; \
+		data = 'book/data'" book/figures/ch01-arrows.gp
+
 # ---- chapters and measurements -------------------------------------
 #: test and demonstrate chapter N
 chapterN:
@@ -174,5 +179,5 @@ help:
 
 -include $(patsubst %.o,%.d,$(objects) $(counting)) $(wildcard $(BUILD)/plain/*/*.d $(BUILD)/plain/*/*/*.d)
 
-.PHONY: all programs test test-all check-book chapterN measure measureN
+.PHONY: all programs test test-all check-book picture chapterN measure measureN
 .PHONY: check-race check-memory format clean help

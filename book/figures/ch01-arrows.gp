@@ -10,7 +10,7 @@ unset tics; unset grid; unset key
 set border 15 ls 10
 set title "nearest"
 plot table using 1:2:($3-$1):($4-$2) with vectors head size 0.025,20,60 \
-       filled lt 1 dt 1, "" using 1:2 with points pt 7 ps 0.5 lc rgb "black"
+       filled lt 1 dt 1 lw 1, "" using 1:2 with points pt 7 ps 0.5 lc rgb "black"
 set title "furthest"
 plot table using 1:2:($5-$1):($6-$2) with vectors nohead lt 6 dt 1 lw 0.5, \
      "" using 1:2 with points pt 7 ps 0.5 lc rgb "black"
