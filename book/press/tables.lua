@@ -3,7 +3,7 @@
 -- widest columns of words are broken into lines.
 local tables = {}
 
-local WIDTH = 74   -- characters of small type on a line of the page
+local WIDTH = 77   -- characters of small type on a line of the page
 local GAP = 3      -- characters between two columns
 local WORDS = 18   -- a column this wide can be broken
 

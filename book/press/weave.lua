@@ -745,6 +745,7 @@ function code.output(x)
     table.insert(lines, "...")
   end
   check_width(lines)
+  check_width({ "$ " .. command }, line)
   return raw_block(mark(line) .. listing.output(command, lines))
 end
 

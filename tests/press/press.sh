@@ -24,7 +24,7 @@ test_good() {
     if check "$scratch/good" && [ ! -s "$scratch/good/said" ]; then
         echo "ok good"
     else
-        echo "not ok good: status $?, $(head -n 1 "$scratch/good/said")"
+        printf 'not ok good: %s\n' "$(head -n 1 "$scratch/good/said")"
     fi
 }
 
@@ -55,7 +55,7 @@ test_claim() {
     if ! check "$place"; then
         echo "not ok claim: it stops the press"
     elif ! grep -q "^$expect" "$place/said"; then
-        echo "not ok claim: the press said $(cat "$place/said")"
+        printf 'not ok claim: the press said %s\n' "$(cat "$place/said")"
     elif ! grep -qF 'nine.\doesnothold{}' "$place/build/book/book.tex"; then
         echo "not ok claim: the book does not say it"
     else
@@ -78,7 +78,8 @@ test_fault() {
         echo "not ok fault $name: status $status, not 1"
     elif ! awk -v expect="$expect" 'index($0, expect) == 1 { found = 1 }
             END { exit !found }' "$place/said"; then
-        echo "not ok fault $name: the press said $(head -n 1 "$place/said")"
+        printf 'not ok fault %s: the press said %s\n' "$name" \
+            "$(head -n 1 "$place/said")"
     else
         echo "ok fault $name"
     fi
