@@ -2,6 +2,8 @@
 // To add one, include its header and add its row. Slowest first: where
 // no algorithm is asked for, the last row that fits is taken.
 #include "algorithms.h"
+#include "ch02-all-pairs/naive.h"
+#include "ch02-all-pairs/tiles.h"
 #include <string.h>
 
 #ifdef COUNTING
@@ -12,6 +14,10 @@
 
 //> Give every algorithm its row
 const struct algorithm TABLE[] = {
+    {"naive", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
+     "every other point, as plainly as can be", naive},
+    {"tiles", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
+     "eight points at a time meet every other", tiles},
     {0} // the end
 };
 //<

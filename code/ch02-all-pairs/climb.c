@@ -1,0 +1,88 @@
+//> Time every step of the ladder
+// All steps in turn, in both geometries, and in between the vector
+// units' peaks: what they achieve and what could be achieved, measured
+// in one run.
+//
+//     climb [POINTS [ROWS [TRIALS]]]
+#include "ch02-all-pairs/ladder.h"
+#include "ch02-all-pairs/peak.h"
+#include "ch02-all-pairs/timing.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+//> Print a limit in both geometries
+static void print_limit(const char *name, const struct trial *peaks,
+                        const int standard[3], const int wraparound[3])
+{
+    double ns[3][PEAKS];
+    for (int peak = 0; peak < PEAKS; peak++) {
+        ns[0][peak] =
+            peaks[peak].summary.median / peak_operations[peak];
+        ns[1][peak] = peaks[peak].summary.q1 / peak_operations[peak];
+        ns[2][peak] = peaks[peak].summary.q3 / peak_operations[peak];
+    }
+    printf("%s", name);
+    for (int k = 0; k < 3; k++)
+        printf("\t%.4g", peak_limit(ns[k], standard[0], standard[1],
+                                    standard[2]));
+    for (int k = 0; k < 3; k++)
+        printf("\t%.4g", peak_limit(ns[k], wraparound[0], wraparound[1],
+                                    wraparound[2]));
+    puts("");
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("climb", NULL);
+    uint32_t n = argc > 1 ? atoi(argv[1]) : 8192;
+    uint32_t rows = argc > 2 ? atoi(argv[2]) : 512;
+    int trials = argc > 3 ? atoi(argv[3]) : 5;
+    struct question questions[2];
+    questions[0] = questions[1] = uniform_question(STANDARD, n, 1);
+    questions[1].space.geometry = WRAPAROUND;
+    struct answers answers = answers_allocate(n);
+
+    //> Time the steps and the peaks together
+    int count = 2 * step_count + PEAKS;
+    struct run *runs = allocate(2 * step_count, sizeof *runs);
+    struct trial *versions = allocate(count, sizeof *versions);
+    for (int v = 0; v < 2 * step_count; v++) {
+        runs[v] = (struct run){steps[v / 2].rows, &questions[v % 2],
+                               &answers, 0, rows};
+        versions[v] =
+            (struct trial){.work = run_rows, .context = &runs[v]};
+    }
+    peak_versions(versions + 2 * step_count);
+    time_in_turn(trials, versions, count);
+    //<
+
+    //> Print a row for every step
+    report_provenance(stdout);
+    puts("name\tstandard\tstandard_q1\tstandard_q3"
+         "\twraparound\twraparound_q1\twraparound_q3");
+    for (int step = 0; step < step_count; step++) {
+        printf("%s", steps[step].name);
+        for (int g = 0; g < 2; g++)
+            print_summary(&versions[2 * step + g].summary,
+                          (double)rows * (n - 1));
+        puts("");
+    }
+    //<
+
+    //> Print the two limits
+    // Additions and subtractions, multiplications, minima and maxima.
+    const struct trial *peaks = versions + 2 * step_count;
+    print_limit("limit", peaks, (int[]){3, 2, 2}, (int[]){6, 4, 6});
+    print_limit("limit_handed", peaks, (int[]){1, 4, 2},
+                (int[]){4, 6, 6});
+    //<
+    free(runs);
+    free(versions);
+    answers_free(&answers);
+    points_free(&questions[0].points);
+    return 0;
+}
+//<

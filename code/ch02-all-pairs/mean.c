@@ -1,0 +1,112 @@
+//> Compare ways to take a mean
+// The mean of the nearest distances: the coursework's running mean, a
+// running mean corrected by its difference, and a sum at the end. How
+// long each takes per point, and how far it is from the sum in higher
+// precision.
+//
+//     mean [POINTS [TRIALS]]
+#include "ch02-all-pairs/tiles.h"
+#include "ch02-all-pairs/timing.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct sample {
+    const double *values;
+    uint32_t n;
+    double mean;
+};
+
+//> Keep a running mean
+static void running(void *context)
+{
+    struct sample *sample = context;
+    double mean = 0;
+    for (uint32_t i = 0; i < sample->n; i++)
+        mean = (mean * i + sample->values[i]) / (double)(i + 1);
+    sample->mean = mean;
+}
+//<
+
+//> Correct the mean by its difference
+static void corrected(void *context)
+{
+    struct sample *sample = context;
+    double mean = 0;
+    for (uint32_t i = 0; i < sample->n; i++)
+        mean += (sample->values[i] - mean) / (double)(i + 1);
+    sample->mean = mean;
+}
+//<
+
+//> Sum first, divide once
+static void summed(void *context)
+{
+    struct sample *sample = context;
+    double sum = 0;
+    for (uint32_t i = 0; i < sample->n; i++)
+        sum += sample->values[i];
+    sample->mean = sum / sample->n;
+}
+//<
+
+//> Sum with care
+// Every addition's rounding error is found and added in the end
+// (Neumaier 1974).
+static double careful_mean(const double *values, uint32_t n)
+{
+    double sum = 0, lost = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        double next = sum + values[i];
+        if (fabs(sum) >= fabs(values[i]))
+            lost += (sum - next) + values[i];
+        else
+            lost += (values[i] - next) + sum;
+        sum = next;
+    }
+    return (sum + lost) / n;
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("mean", NULL);
+    uint32_t n = argc > 1 ? atoi(argv[1]) : 10000;
+    int trials = argc > 2 ? atoi(argv[2]) : 101;
+
+    //> Find the distances to be averaged
+    struct question question = uniform_question(STANDARD, n, 1);
+    question.threads = omp_get_num_procs();
+    struct answers answers = answers_allocate(n);
+    tiles(&question, &answers);
+    for (uint32_t i = 0; i < n; i++)
+        answers.nearest2[i] = sqrt(answers.nearest2[i]);
+    //<
+
+    //> Time the three means in turn
+    struct sample samples[3];
+    struct trial versions[] = {
+        {.work = running}, {.work = corrected}, {.work = summed}};
+    const char *names[] = {"running", "corrected", "summed"};
+    for (int v = 0; v < 3; v++) {
+        samples[v] = (struct sample){answers.nearest2, n, 0};
+        versions[v].context = &samples[v];
+    }
+    time_in_turn(trials, versions, 3);
+
+    double exact = careful_mean(answers.nearest2, n);
+    report_provenance(stdout);
+    puts("name\tns\tns_q1\tns_q3\terror");
+    for (int v = 0; v < 3; v++) {
+        printf("%s", names[v]);
+        print_summary(&versions[v].summary, n);
+        printf("\t%.3g\n", fabs(samples[v].mean - exact) / exact);
+    }
+    //<
+    answers_free(&answers);
+    points_free(&question.points);
+    return 0;
+}
+//<

@@ -1,0 +1,31 @@
+//> Declare the peaks
+// What the vector units can do at most, with all operands in registers
+// and enough independent work: nanoseconds an operation on one double.
+#pragma once
+#include "common/clock.h"
+
+enum peak {
+    ADD,
+    MULTIPLY,
+    MINIMUM,
+    FUSED, // subtracts in the multiplier, where there is such a thing
+    ADD_MULTIPLY,
+    ADD_MINIMUM,
+    MULTIPLY_MINIMUM, // two kinds, half and half
+    CYCLE,            // the processor's clock
+    PEAKS
+};
+
+extern const char *const peak_names[PEAKS];
+
+// The operations of one run, by which its time is to be divided.
+extern const double peak_operations[PEAKS];
+
+// Fills versions[0 .. PEAKS-1], to be timed in turn.
+void peak_versions(struct trial versions[static PEAKS]);
+
+// The least time for so many operations of each kind, ns[] being the
+// time of one of each peak: no unit and no pair of units can be faster.
+double peak_limit(const double ns[static PEAKS], int adds,
+                  int multiplies, int minima);
+//<

@@ -1,0 +1,136 @@
+//> Search with eight points at a time
+// See tiles.h.
+#include "ch02-all-pairs/tiles.h"
+#include "ch02-all-pairs/difference.h"
+#include "ch02-all-pairs/tile.h"
+#include <assert.h>
+#include <stdbool.h>
+
+//> Show a candidate to eight points at once
+INLINED void sweep(const enum geometry geometry, const bool hand_over,
+                   const struct question *question, uint64_t begin,
+                   uint64_t end, struct tile *tile)
+{
+    if (begin >= end)
+        return;
+    const double *x = question->points.x, *y = question->points.y;
+    const struct space space = question->space;
+    const double one = unit;
+    struct tile t = *tile; // a copy, so that it may live in registers
+    for (uint64_t j = begin; j < end; j++) {
+#pragma omp simd
+        for (int lane = 0; lane < LANES; lane++) {
+            double dx = hand_over ? difference(x[j], t.x[lane], one)
+                                  : x[j] - t.x[lane];
+            double dy = hand_over ? difference(y[j], t.y[lane], one)
+                                  : y[j] - t.y[lane];
+            struct pair pair = pair2(geometry, space, dx, dy);
+            t.near2[lane] =
+                pair.near2 < t.near2[lane] ? pair.near2 : t.near2[lane];
+            t.far2[lane] =
+                pair.far2 > t.far2[lane] ? pair.far2 : t.far2[lane];
+        }
+    }
+    *tile = t;
+    COUNT(distances, (end - begin) * LANES);
+}
+//<
+
+//> Let the points of a tile meet each other
+INLINED void meet(const enum geometry geometry,
+                  const struct question *question, uint32_t i,
+                  int width, struct tile *tile)
+{
+    const struct points p = question->points;
+    for (int lane = 0; lane < width; lane++)
+        for (uint32_t j = i; j < i + width; j++) {
+            if (j == i + lane)
+                continue;
+            struct pair pair =
+                pair2(geometry, question->space, p.x[j] - tile->x[lane],
+                      p.y[j] - tile->y[lane]);
+            if (pair.near2 < tile->near2[lane])
+                tile->near2[lane] = pair.near2;
+            if (pair.far2 > tile->far2[lane])
+                tile->far2[lane] = pair.far2;
+        }
+    COUNT(distances, width * (width - 1));
+}
+//<
+
+//> Answer for one tile
+INLINED void search(const enum geometry geometry, const bool hand_over,
+                    const struct question *question,
+                    struct answers *answers, uint32_t i, uint32_t size)
+{
+    const struct points p = question->points;
+    const int width = lesser(LANES, p.n - i);
+    struct tile tile;
+    struct blocks found;
+    tile_begin(&tile, &found);
+    for (int lane = 0; lane < LANES; lane++) { // spare ones ask twice
+        tile.x[lane] = p.x[i + lesser(lane, width - 1)];
+        tile.y[lane] = p.y[i + lesser(lane, width - 1)];
+    }
+    for (uint64_t block = 0; block < p.n; block += size) {
+        uint32_t stop = lesser(p.n, block + size);
+        struct tile before = tile;
+        sweep(geometry, hand_over, question, block, lesser(stop, i),
+              &tile);
+        if (block <= i && i < stop)
+            meet(geometry, question, i, width, &tile);
+        sweep(geometry, hand_over, question, greater(block, i + width),
+              stop, &tile);
+        tile_note(&before, &tile, block, &found);
+    }
+    for (int lane = 0; lane < width; lane++)
+        look_again(geometry, question, answers, i + lane,
+                   tile.near2[lane], found.near[lane], tile.far2[lane],
+                   found.far[lane]);
+}
+//<
+
+//> Go from tile to tile
+INLINED void queries(const enum geometry geometry,
+                     const struct question *question,
+                     struct answers *answers, uint32_t begin,
+                     uint32_t end)
+{
+    assert(begin % LANES == 0 && "a tile must lie in one block");
+    for (uint64_t i = begin; i < end; i += LANES)
+        search(geometry, false, question, answers, i, BLOCK);
+}
+
+SPECIALIZE(queries)
+//<
+
+void tiles_blocked_rows(const struct question *question,
+                        struct answers *answers, uint32_t begin,
+                        uint32_t end, uint32_t block)
+{
+    assert(begin % LANES == 0 && block % LANES == 0);
+    for (uint64_t i = begin; i < end; i += LANES)
+        if (question->space.geometry == STANDARD)
+            search(STANDARD, true, question, answers, i, block);
+        else
+            search(WRAPAROUND, true, question, answers, i, block);
+}
+
+void tiles_rows(const struct question *question,
+                struct answers *answers, uint32_t begin, uint32_t end)
+{
+    tiles_blocked_rows(question, answers, begin, end, BLOCK);
+}
+
+//> Share out the tiles among threads
+void tiles(const struct question *question, struct answers *answers)
+{
+    uint32_t n = question->points.n;
+    uint32_t count = n / LANES + (n % LANES != 0);
+#pragma omp parallel for num_threads(question->threads) schedule(static)
+    for (uint32_t tile = 0; tile < count; tile++)
+        tiles_rows(question, answers, tile * LANES,
+                   lesser(n, tile * LANES + LANES));
+}
+//<
+//<

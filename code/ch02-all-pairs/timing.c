@@ -1,0 +1,28 @@
+//> Time rows
+// See timing.h.
+#include "ch02-all-pairs/timing.h"
+#include "common/generate.h"
+#include <stdio.h>
+
+void run_rows(void *context)
+{
+    struct run *run = context;
+    run->rows(run->question, run->answers, run->begin, run->end);
+}
+
+struct question uniform_question(enum geometry geometry, uint32_t n,
+                                 uint64_t seed)
+{
+    return (struct question){
+        .points = generate(find_distribution("uniform"), n, seed),
+        .space = {geometry, 1, 1},
+        .threads = 1,
+    };
+}
+
+void print_summary(const struct summary *summary, double count)
+{
+    printf("\t%.4g\t%.4g\t%.4g", summary->median / count,
+           summary->q1 / count, summary->q3 / count);
+}
+//<
