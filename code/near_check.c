@@ -16,9 +16,11 @@ static double measure(double (*image2)(struct space, double, double),
 static double true_nearest2(const struct question *question, uint32_t i)
 {
     double best = INFINITY;
-    for (uint32_t j = 0; j < question->points.n; j++)
-        if (j != i)
-            best = fmin(best, measure(closest2, question, i, j));
+    for (uint32_t j = 0; j < question->points.n; j++) {
+        double apart2 = measure(closest2, question, i, j);
+        if (j != i && apart2 < best)
+            best = apart2;
+    }
     return best;
 }
 
@@ -26,9 +28,11 @@ static double true_furthest2(const struct question *question,
                              uint32_t i)
 {
     double best = 0;
-    for (uint32_t j = 0; j < question->points.n; j++)
-        if (j != i)
-            best = fmax(best, measure(furthest2, question, i, j));
+    for (uint32_t j = 0; j < question->points.n; j++) {
+        double apart2 = measure(furthest2, question, i, j);
+        if (j != i && apart2 > best)
+            best = apart2;
+    }
     return best;
 }
 //<

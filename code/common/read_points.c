@@ -51,7 +51,7 @@ static bool make_plain(char *line, size_t length)
     for (char *c = line; c < line + length; c++)
         if (*c == '\t')
             *c = ' ';
-        else if (iscntrl((unsigned char)*c) && !isspace(*c))
+        else if ((unsigned char)*c < ' ' && !isspace(*c))
             return false;
     return true;
 }
