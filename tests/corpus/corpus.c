@@ -1,0 +1,324 @@
+// Every algorithm of the table against the plainest search there is,
+// on every kind of points that has ever made one fail. Distances must
+// be the same to the last bit, and neighbors the same to the index:
+// where several points tie, the lowest index is right.
+#include "algorithms.h"
+#include "common/generate.h"
+#include "common/random.h"
+#include "harness.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- what is right -------------------------------------------------
+static void search_plainly(const struct question *question,
+                           struct answers *answers)
+{
+    struct points p = question->points;
+    for (uint32_t i = 0; i < p.n; i++) {
+        uint32_t near = i == 0, far = near; // the first other point
+        double near2 = INFINITY, far2 = 0;
+        for (uint32_t j = 0; j < p.n; j++) {
+            double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j];
+            double close2 = closest2(question->space, dx, dy);
+            double wide2 = furthest2(question->space, dx, dy);
+            if (j != i && close2 < near2)
+                near = j, near2 = close2;
+            if (j != i && wide2 > far2)
+                far = j, far2 = wide2;
+        }
+        answers->nearest[i] = near;
+        answers->nearest2[i] = near2;
+        answers->furthest[i] = far;
+        answers->furthest2[i] = far2;
+    }
+}
+
+static bool same_kind(const char *what, const char *kind, uint32_t n,
+                      const uint32_t *right, const double *right2,
+                      const uint32_t *found, const double *found2)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (!CHECK_DOUBLE(right2[i], found2[i],
+                          "%s: squared %s distance of point %" PRIu32,
+                          what, kind, i) ||
+            !CHECK_INT(right[i], found[i],
+                       "%s: %s neighbor of point %" PRIu32, what, kind,
+                       i))
+            return false; // one is enough to go by
+    return true;
+}
+
+// ---- one algorithm, one question -----------------------------------
+typedef void run_function(const struct question *, struct answers *);
+
+// Arrays that the algorithm is not to touch are not even there.
+static struct answers make_room(uint32_t n, unsigned given)
+{
+    struct answers answers = answers_allocate(n);
+    memset(answers.nearest, 0xA5, n * sizeof *answers.nearest);
+    memset(answers.furthest, 0xA5, n * sizeof *answers.furthest);
+    memset(answers.nearest2, 0xA5, n * sizeof *answers.nearest2);
+    memset(answers.furthest2, 0xA5, n * sizeof *answers.furthest2);
+    if (!(given & NEAREST)) {
+        free(answers.nearest), answers.nearest = NULL;
+        free(answers.nearest2), answers.nearest2 = NULL;
+    }
+    if (!(given & FURTHEST)) {
+        free(answers.furthest), answers.furthest = NULL;
+        free(answers.furthest2), answers.furthest2 = NULL;
+    }
+    return answers;
+}
+
+static void compare(const char *what, const struct question *question,
+                    const struct answers *right,
+                    const struct answers *found)
+{
+    uint32_t n = question->points.n;
+    if (found->nearest)
+        same_kind(what, "nearest", n, right->nearest, right->nearest2,
+                  found->nearest, found->nearest2);
+    if (found->furthest)
+        same_kind(what, "furthest", n, right->furthest,
+                  right->furthest2, found->furthest, found->furthest2);
+}
+
+static void try_row(const struct algorithm *row, const char *points,
+                    struct question question,
+                    const struct answers *right)
+{
+    uint32_t n = question.points.n;
+    char what[200];
+    struct answers found = make_room(n, row->answers);
+    const char *geometry =
+        question.space.geometry == STANDARD ? "standard" : "wraparound";
+    for (int threads = 1; threads <= 4; threads *= 2) {
+        snprintf(what, sizeof what,
+                 "%s, %s, %" PRIu32 " points, %s, threads %d",
+                 row->name, points, n, geometry, threads);
+        question.threads = threads;
+        row->run(&question, &found);
+        compare(what, &question, right, &found);
+    }
+    answers_free(&found);
+
+    found = make_room(n, row->answers);
+    snprintf(what, sizeof what,
+             "%s, counting, %s, %" PRIu32 " points, %s", row->name,
+             points, n, geometry);
+    uint64_t counted =
+        count_operations(row, &question, &found).distances;
+    compare(what, &question, right, &found);
+    CHECK(counted > 0, "%s: distances", what);
+    CHECK_INT(
+        (long long)counted,
+        (long long)count_operations(row, &question, &found).distances,
+        "%s: distances counted again", what);
+    answers_free(&found);
+}
+
+// ---- every algorithm, one set of points ----------------------------
+static struct points copy_of(struct points points)
+{
+    struct points copy = points_allocate(points.n);
+    memcpy(copy.x, points.x, points.n * sizeof *points.x);
+    memcpy(copy.y, points.y, points.n * sizeof *points.y);
+    return copy;
+}
+
+// The unit square if it holds the points, else a box that just does.
+static struct space wrap_around(struct points points)
+{
+    double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
+    for (uint32_t i = 0; i < points.n; i++) {
+        x0 = fmin(x0, points.x[i]), x1 = fmax(x1, points.x[i]);
+        y0 = fmin(y0, points.y[i]), y1 = fmax(y1, points.y[i]);
+    }
+    return (struct space){WRAPAROUND, x1 - x0, y1 - y0};
+}
+
+static void try_space(const char *name, struct points points,
+                      struct space space)
+{
+    struct points before = copy_of(points);
+    struct question question = {points, space, 1};
+    struct answers right = answers_allocate(points.n);
+    search_plainly(&question, &right);
+    for (int row = 0; row < algorithm_count; row++)
+        if (algorithms[row].geometries & space.geometry)
+            try_row(&algorithms[row], name, question, &right);
+    size_t size = points.n * sizeof *points.x;
+    CHECK(memcmp(before.x, points.x, size) == 0 &&
+              memcmp(before.y, points.y, size) == 0,
+          "%s: the points are left as they were", name);
+    answers_free(&right);
+    points_free(&before);
+}
+
+static void try_points(const char *name, struct points points)
+{
+    try_space(name, points, (struct space){STANDARD, 1, 1});
+    try_space(name, points, wrap_around(points));
+}
+
+// ---- the points ----------------------------------------------------
+static void table_is_complete(void)
+{
+    CHECK(algorithm_count > 0, "the table has rows");
+    for (int row = 0; row < algorithm_count; row++) {
+        const struct algorithm *a = &algorithms[row];
+        CHECK(find_algorithm(a->name) == a, "%s: its name is its own",
+              a->name);
+        CHECK(a->chapter >= 2, "%s: chapter", a->name);
+        CHECK(a->geometries && a->geometries <= 3, "%s: geometries",
+              a->name);
+        CHECK(a->answers && a->answers <= 3, "%s: answers", a->name);
+        CHECK(*a->cost && *a->about, "%s: description", a->name);
+        CHECK_TEXT(a->name, counting_algorithms[row].name,
+                   "row %d of the counting twin", row);
+        CHECK(counting_algorithms[row].run != a->run,
+              "%s: its twin is another function", a->name);
+    }
+    CHECK(!find_algorithm("oracle"), "a name that is not there");
+}
+
+// Around the lengths of vectors, tiles and blocks.
+static void uniform_of_every_length(void)
+{
+    static const uint32_t lengths[] = {
+        2,  3,  4,  5,  6,  7,  8,   9,   15,  16,  17,  31,
+        32, 33, 63, 64, 65, 99, 100, 127, 129, 255, 256, 257};
+    const struct distribution *uniform = find_distribution("uniform");
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+        test_seed(k);
+        struct points points = generate(uniform, lengths[k], k);
+        try_points("uniform", points);
+        points_free(&points);
+    }
+}
+
+static void every_generator(void)
+{
+    static const uint32_t lengths[] = {2, 3, 16, 33, 100, 500};
+    for (int d = 0; d < distribution_count; d++)
+        for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+            test_seed(k);
+            struct points points =
+                generate(&distributions[d], lengths[k], k);
+            try_points(distributions[d].name, points);
+            points_free(&points);
+        }
+}
+
+static void thousands_of_points(void)
+{
+    static const char *names[] = {"uniform", "clustered", "lattice"};
+    for (int k = 0; k < 3; k++)
+        for (uint32_t n = 1000; n <= 3000; n += 2000) {
+            test_seed(7);
+            struct points points =
+                generate(find_distribution(names[k]), n, 7);
+            try_points(names[k], points);
+            points_free(&points);
+        }
+}
+
+// A point drawn from a coarse grid that reaches both borders: few
+// different distances, many duplicates, ties everywhere.
+static void ties_on_a_coarse_grid(void)
+{
+    for (uint64_t seed = 0; seed < 200; seed++) {
+        test_seed(seed);
+        struct random random = {seed};
+        uint32_t n = 2 + random_bits(&random) % 40;
+        int steps = 1 << random_bits(&random) % 4;
+        struct points points = points_allocate(n);
+        for (uint32_t i = 0; i < n; i++) {
+            points.x[i] =
+                (double)(random_bits(&random) % (steps + 1)) / steps;
+            points.y[i] =
+                (double)(random_bits(&random) % (steps + 1)) / steps;
+        }
+        try_points("coarse grid", points);
+        points_free(&points);
+    }
+}
+
+static void points_on_the_borders(void)
+{
+    struct random random = {1};
+    test_seed(1);
+    struct points points = points_allocate(200);
+    for (uint32_t i = 0; i < points.n; i++) {
+        double along = random_uniform(&random);
+        points.x[i] = i % 4 < 2 ? i % 2 : along;
+        points.y[i] = i % 4 < 2 ? along : i % 2;
+    }
+    for (uint32_t i = 0; i < 4; i++) { // and in the corners
+        points.x[50 * i] = i % 2;
+        points.y[50 * i] = i / 2;
+    }
+    try_points("borders", points);
+    points_free(&points);
+}
+
+static void every_point_twice(void)
+{
+    test_seed(3);
+    struct points points =
+        generate(find_distribution("uniform"), 300, 3);
+    for (uint32_t i = 0; i < points.n / 2; i++) {
+        points.x[points.n - 1 - i] = points.x[i];
+        points.y[points.n - 1 - i] = points.y[i];
+    }
+    try_points("twice", points);
+    points_free(&points);
+}
+
+// Where squares are infinite, or nothing: all distances tie, and every
+// point still has a neighbor.
+static void extreme_coordinates(void)
+{
+    static const double scales[] = {1e-320, 1e-300, 1e-160, 1e-154,
+                                    1e150,  1e154,  1e160,  1e300};
+    for (size_t k = 0; k < sizeof scales / sizeof *scales; k++) {
+        test_seed(k);
+        struct points points =
+            generate(find_distribution("uniform"), 70, k);
+        char name[40];
+        snprintf(name, sizeof name, "uniform times %g", scales[k]);
+        for (uint32_t i = 0; i < points.n; i++) {
+            points.x[i] = scales[k] * (points.x[i] - 0.5);
+            points.y[i] = scales[k] * (points.y[i] - 0.5);
+        }
+        try_points(name, points);
+        points_free(&points);
+    }
+}
+
+// A few points far out of a crowd, and signed zeros in it.
+static void outliers_and_zeros(void)
+{
+    test_seed(5);
+    struct points points =
+        generate(find_distribution("uniform"), 130, 5);
+    points.x[0] = -1e300;
+    points.y[17] = 1e300;
+    points.x[64] = 1e8;
+    points.x[65] = -0.0, points.y[65] = 0.0;
+    points.x[129] = 0.0, points.y[129] = -0.0;
+    try_points("outliers", points);
+    points_free(&points);
+}
+
+int main(void)
+{
+    return RUN_TESTS(
+        "corpus", TEST(table_is_complete),
+        TEST(uniform_of_every_length), TEST(every_generator),
+        TEST(thousands_of_points), TEST(ties_on_a_coarse_grid),
+        TEST(points_on_the_borders), TEST(every_point_twice),
+        TEST(extreme_coordinates), TEST(outliers_and_zeros));
+}
