@@ -152,6 +152,20 @@ measure: $(programs)
 measureN:
 	@echo "say make measure1, make measure2, ..."
 
+# ---- exercises -----------------------------------------------------
+# exercises/ch02/1-nearest-pair is exercise 2.1.
+exercise_key = $(patsubst 0%,%,$(firstword $(subst /, ,$(1)))).$(firstword \
+	$(subst -, ,$(word 2,$(subst /, ,$(1)))))
+exercises := $(foreach e,$(patsubst exercises/ch%/exercise.md,%,$(wildcard \
+	exercises/ch*/*/exercise.md)),exercise$(call exercise_key,$(e)))
+
+#: try exercise K of chapter N: a starter in work/, tests, points
+exerciseN.K:
+	@echo "say make exercise1.2, make exercise2.1, ..."
+
+$(exercises): exercise%: | $(BUILD)/setup/code
+	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/exercise $*
+
 # ---- checks --------------------------------------------------------
 #: data races: the planted one is found, and no other
 check-race: | $(BUILD)/setup/check
@@ -180,4 +194,4 @@ help:
 -include $(patsubst %.o,%.d,$(objects) $(counting)) $(wildcard $(BUILD)/plain/*/*.d $(BUILD)/plain/*/*/*.d)
 
 .PHONY: all programs test test-all check-book picture chapterN measure measureN
-.PHONY: check-race check-memory format clean help
+.PHONY: $(exercises) exerciseN.K check-race check-memory format clean help

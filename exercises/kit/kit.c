@@ -11,6 +11,7 @@
 #include "common/generate.h"
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <math.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -30,8 +31,11 @@
 #elif defined __SANITIZE_ADDRESS__
 #define SANITIZED true
 #endif
-#ifndef SANITIZED
+#ifdef SANITIZED
+#include <sanitizer/asan_interface.h>
+#else
 #define SANITIZED false
+#define ASAN_POISON_MEMORY_REGION(from, bytes) ((void)0)
 #endif
 
 enum {
@@ -232,8 +236,14 @@ static void set_limits(void)
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, OUTPUT_MAX);
     limit_memory();
+}
+
+static void protect_arrays(void)
+{
     for (int a = 0; a < grader.array_count; a++) {
         struct array *array = &grader.arrays[a];
+        ASAN_POISON_MEMORY_REGION(array->pages,
+                                  array->start - array->pages);
         if (array->input)
             mprotect(array->pages, array->end - array->pages,
                      PROT_READ);
@@ -258,6 +268,7 @@ static void become_student(void)
     close(fileno(grader.scores));
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // a crash loses nothing
     set_limits();
+    protect_arrays();
     catch_refused_accesses();
     student.library = dlopen(grader.library, RTLD_NOW | RTLD_LOCAL);
     if (!student.library) {
@@ -318,21 +329,20 @@ static char *read_printed(void)
     return text;
 }
 
-// Where the line begins with which a sanitizer's report begins; the
-// end of the text if there is none.
+// Where a sanitizer's report begins, or else the end of the text.
 static char *find_report(char *printed)
 {
     static const char *const signs[] = {
-        "=================", "AddressSanitizer: ", ": runtime error: "};
+        "AddressSanitizer:", "=================", ": runtime error: "};
+    char *begin = printed + strlen(printed);
     for (int s = 0; s < 3; s++) {
-        char *report = strstr(printed, signs[s]);
-        if (!report)
-            continue;
-        while (report > printed && report[-1] != '\n')
-            report--;
-        return report;
+        char *sign = strstr(printed, signs[s]);
+        if (sign && sign < begin)
+            begin = sign;
     }
-    return printed + strlen(printed);
+    while (*begin && begin > printed && begin[-1] != '\n')
+        begin--;
+    return begin;
 }
 
 static void pass_on(const char *text, const char *end)
@@ -384,8 +394,8 @@ static void judge_access(char *address, int line)
                 "This array may only be read.");
         size_t count = (array->end - array->start) / array->size;
         broken("crashed",
-               at_line(kit_text("it touches element %zd of %s, which "
-                                "has %zu elements",
+               at_line(kit_text("it touches element %td of %s, which "
+                                "has %zu",
                                 (address - array->start) /
                                     (ptrdiff_t)array->size,
                                 array->name, count),
@@ -409,11 +419,14 @@ static const char *const sanitizer_words[][2] = {
      "An index runs past the end of a local array."},
     {"global-buffer-overflow",
      "An index runs past the end of a global array."},
+    {"use-after-poison",
+     "An index became negative: this is in front of an array."},
     {"heap-use-after-free", "It is used after free()."},
     {"double-free", "The same memory is released twice."},
     {"bad-free", "free() is for what malloc() gave, and nothing else."},
     {"out of memory", "Is memory allocated in a loop without end?"},
     {"Failed to mmap", "Is memory allocated in a loop without end?"},
+    {"out of bounds", "An index runs past the end of an array."},
     {"signed integer overflow",
      "The result does not fit: use a wider type, and convert before "
      "you multiply."},
@@ -435,7 +448,7 @@ static void judge_report(const char *report)
     if (what) {
         what += strlen(key);
     } else {
-        key = "AddressSanitizer: ";
+        key = "ERROR: AddressSanitizer: ";
         what = strstr(report, key);
         what = what ? what + strlen(key) : report;
     }
@@ -460,8 +473,9 @@ static void judge_signal(int signal)
         broken("crashed", "it divides an integer by zero",
                "What if there is nothing to divide by?");
     case SIGABRT:
-        broken("crashed", "it ended itself with abort() or assert()",
-               "The lines printed above say why.");
+        broken(
+            "crashed", "it ended itself with abort() or assert()",
+            "If it was assert(), the line printed above says which.");
     case SIGXFSZ:
         broken("crashed", "it prints more than a megabyte",
                "Remove the printing, or the loop that never ends.");
@@ -542,11 +556,14 @@ bool kit_enter(void)
     char *printed = read_printed();
     char *report = find_report(printed);
     pass_on(printed, report);
-    if (!ended)
-        broken("stopped",
-               kit_text("no answer after %g seconds", grader.limit),
+    if (!ended) {
+        const char *found =
+            kit_text("no answer after %g seconds", grader.limit);
+        grader.limit = fmax(grader.limit / 2, 1); // do not wait long
+        broken("stopped", found,
                "A loop that never ends: look at its condition, and at "
                "what changes in its body.");
+    }
     judge(status, report);
     free(printed);
     return false;

@@ -26,13 +26,14 @@ function line(label, text,    words, n, i, width) {
     print ""
 }
 
+# A crash is told once, with the tests in which it happens again.
 function tell() {
-    printf "\n%s  %s: %s\n", $4 == "wrong" ? "WRONG" : "FAILED", $1, $5
-    if (told[$10 $11] != "" && $9 == "") {
-        print "    the same as " told[$10 $11]
+    if ($9 == "" && ($10 $11) in first) {
+        again[first[$10 $11]] = again[first[$10 $11]] " " $1
         return
     }
-    told[$10 $11] = $1
+    first[$10 $11] = $1
+    printf "\n%s  %s: %s\n", $4 == "wrong" ? "WRONG" : "FAILED", $1, $5
     line("where", $8)
     line("expected", $9)
     line("found", $10)
@@ -46,6 +47,10 @@ function cell(name, run) {
 }
 
 END {
+    for (t = 1; t <= tests; t++)
+        if (again[names[t]] != "")
+            printf "\nThe same as in %s happens in:%s\n", names[t],
+                again[names[t]]
     printf "\nExercise %s: %s\n\n", key, title
     printf "  %-44s %-10s %-10s %s\n", "", "sanitized", "optimized", "points"
     print head > out

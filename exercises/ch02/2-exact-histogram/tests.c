@@ -32,21 +32,29 @@ static int bin_of(struct range r, double value)
     return b;
 }
 
-// The likely cause, from what was special about the values.
-static const char *cause(const double *values, size_t n, struct range r)
+// Why there is a count too many, or one is missing, in bin b; bin -1
+// is the outside.
+static const char *cause(const double *values, size_t n, struct range r,
+                         int b, bool too_many)
 {
-    for (size_t i = 0; i < n; i++) {
-        if (isnan(values[i]))
-            return "NaN is in no bin, but every comparison with it is "
-                   "false: ask whether a value is inside.";
-        if (values[i] == r.high)
-            return kit_text("The value %g itself belongs to the last "
-                            "bin.",
-                            r.high);
-        if (values[i] < r.low)
-            return "A value just below the range was counted: (int) "
-                   "rounds toward zero.";
-    }
+    if (b >= 0 && too_many)
+        for (size_t i = 0; i < n; i++) {
+            if (isnan(values[i]))
+                return "NaN is in no bin, but every comparison with it "
+                       "is false: ask whether a value is inside.";
+            if (b == 0 && values[i] < r.low)
+                return "A value just below the range was counted: "
+                       "(int) rounds toward zero.";
+        }
+    if (b == r.bins - 1 || b < 0)
+        for (size_t i = 0; i < n; i++)
+            if (values[i] == r.high)
+                return kit_text("The value %g itself belongs to the "
+                                "last bin.",
+                                r.high);
+    if (b < 0)
+        return "Only what is below the range, above it, or no number "
+               "lies outside.";
     return "A quotient was rounded to the other side of an edge, or "
            "the range was not mapped onto the bins: compare with "
            "edge() after dividing.";
@@ -79,12 +87,14 @@ static void check(double *values, size_t n, struct range r)
                                ? "The counts must be set to 0 first: "
                                  "what the array held before counts "
                                  "for nothing."
-                               : cause(values, n, r));
+                               : cause(values, n, r, b,
+                                       counts[b] > right[b]));
     if (*outside != right_outside)
         WRONG(.where = "the result, the number of values in no bin",
               .expected = kit_text("%zu", right_outside),
               .found = kit_text("%zu", *outside),
-              .cause = cause(values, n, r));
+              .cause =
+                  cause(values, n, r, -1, *outside > right_outside));
 }
 
 static void middles(uint64_t seed)

@@ -1,0 +1,3 @@
+#!/bin/sh
+# The exercises themselves: texts, starters, solutions and mutants.
+exec exercises/kit/check

@@ -1,0 +1,109 @@
+#!/bin/sh
+# What a student meets: every broken attempt is told as what it is, and
+# none ends the grader or touches the scores.
+
+: "${BUILD:=build}"
+export BUILD
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+WORK=$folder/work LIMIT=2 TEST="two-points ties" SEED=1
+export WORK LIMIT TEST SEED
+file=$WORK/2.1/nearest-pair.c
+scores=$BUILD/work/2.1/scores.tsv
+said=$folder/said
+
+check() {
+    name=$1
+    shift
+    if "$@"; then
+        echo "ok $name"
+    else
+        echo "not ok $name: $(tail -n 25 "$said" | tr '\n' ' ')"
+    fi
+}
+
+# attempt NAME WORDS BODY: the function with this body loses all points,
+# and the report says the words.
+attempt() {
+    {
+        echo '#include "common/geometry.h"'
+        echo '#include "exercise.h"'
+        echo '#include <assert.h>'
+        echo '#include <stdio.h>'
+        echo '#include <stdlib.h>'
+        echo 'double helper(void);'
+        printf '%s\n' "struct pair nearest_pair(struct points points) { $3 }"
+    } >"$file"
+    exercises/kit/exercise 2.1 >"$said" 2>&1
+    status=$?
+    check "$1" all_lost "$2"
+}
+
+all_lost() {
+    tr -s ' \n' ' ' <"$said" | grep -q -F -e "$1" && [ $status -eq 1 ] &&
+        awk -F '\t' 'NR > 1 { n++; p += $2 } END { exit !(n == 2 && p == 0) }' \
+            "$scores"
+}
+
+# The first call makes the starter, which fails; the next keeps it.
+exercises/kit/exercise 2.1 >"$said" 2>&1
+check "the starter is made" grep -q '^Made ' "$said"
+check "its failures are told" grep -q 'the lowest indices' "$said"
+echo '// mine' >>"$file"
+exercises/kit/exercise 2.1 >"$said" 2>&1
+check "work is kept" grep -q '^// mine' "$file"
+
+cp exercises/ch02/1-nearest-pair/solution.c "$file"
+TEST='' exercises/kit/exercise 2.1 >"$said" 2>&1
+check "the solution ends with status 0" [ $? -eq 0 ]
+check "its points are shown" grep -q '10 / 10' "$said"
+check "its points are written" \
+    awk -F '\t' 'NR > 1 { p += $2 } END { exit p != 10 }' "$scores"
+
+: >"$file"
+exercises/kit/exercise 2.1 >"$said" 2>&1
+check "an empty file" grep -q 'The file is empty' "$said"
+check "a missing function" grep -q 'not define the function' "$said"
+
+echo 'struct pair x(void) { return 0 }' >"$file"
+exercises/kit/exercise 2.1 >"$said" 2>&1
+check "what does not compile" grep -q 'does not compile' "$said"
+check "and has no scores" [ ! -e "$scores" ]
+
+attempt "an endless loop" "A loop that never ends" \
+    'for (;;) if (points.n == 7) continue;'
+attempt "an endless recursion" "A recursion without end" \
+    'struct pair p = nearest_pair(points); p.i++; return p;'
+attempt "an exit in the middle" "exit() ends everything" \
+    'printf("{\"score\": 10}\n"); exit(0);'
+check "what it printed is shown" grep -q '    | {"score": 10}' "$said"
+attempt "an assertion" "ended itself with abort" \
+    'assert(points.n == 0); abort();'
+attempt "a write to the points" "it writes to points.x, in line 7" \
+    'points.x[0] = 3; return (struct pair){0, 1, 0};'
+attempt "an index too large" "element 2 of points.y, which has 2, in line 7" \
+    'return (struct pair){0, 1, points.y[points.n]};'
+attempt "a negative index" "An index became negative" \
+    'volatile int k = -1; return (struct pair){0, 1, points.x[k]};'
+attempt "a null pointer" "pointer that was never set" \
+    'points.x = NULL; return (struct pair){0, 1, points.x[0]};'
+attempt "a heap overflow" "memory that you allocated" \
+    'char *c = malloc(points.n); c[points.n] = 1; return (struct pair){c[0], 1, 0};'
+attempt "an integer division by zero" "nothing to divide by" \
+    'unsigned z = points.n - points.n; return (struct pair){1 / z, 1, 0};'
+attempt "memory without end" "memory allocated in a loop without end" \
+    'for (;;) *(char *)malloc(100000000) = 3;'
+attempt "output without end" "prints more than a megabyte" \
+    'for (;;) puts("hello");'
+attempt "an undefined function" "does not define helper" \
+    'return (struct pair){0, 1, helper()};'
+attempt "a point that is its own neighbor" "not its own neighbor" \
+    'return (struct pair){1, 1, 0};'
+
+exercises/kit/exercise 2.77 >"$said" 2>&1
+check "an unknown exercise" grep -q 'there is no exercise 2.77' "$said"
+exercises/kit/exercise 2 >"$said" 2>&1
+check "a number that is none" grep -q 'say make exercise2.1' "$said"
+exercises/kit/exercise 1.1 >"$said" 2>&1
+check "an exercise on paper is shown" grep -q 'on paper' "$said"
+check "without its answer" sh -c "! grep -q -e ':::' -e answer '$said'"
