@@ -4,6 +4,10 @@
 #include "algorithms.h"
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/tiles.h"
+#include "ch03-half-pairs/guarded.h"
+#include "ch03-half-pairs/private.h"
+#include "ch03-half-pairs/triangle.h"
+#include "ch03-half-pairs/triangle_tiles.h"
 #include <string.h>
 
 #ifdef COUNTING
@@ -16,8 +20,19 @@
 const struct algorithm TABLE[] = {
     {"naive", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
      "every other point, as plainly as can be", naive},
+    {"triangle", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2/2",
+     "every distance once, on one thread", triangle},
+    {"triangle-critical", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
+     "n^2/2", "threads queue to change a best", triangle_critical},
+    {"triangle-atomic", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
+     "n^2/2", "every best is its own lock", triangle_atomic},
+    {"triangle-reduction", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
+     "n^2/2", "answers of its own for every thread",
+     triangle_reduction},
     {"tiles", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
      "eight points at a time meet every other", tiles},
+    {"triangle-tiles", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
+     "n^2/2", "half the pairs in tiles, on vectors", triangle_tiles},
     {0} // the end
 };
 //<

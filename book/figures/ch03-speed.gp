@@ -1,0 +1,44 @@
+# How many times faster than the serial naive search each version is, in
+# both geometries, and beside it what the coursework reports.
+load "book/figures/style.gp"
+table = data . "/ch03-speed.tsv"
+$coursework << END
+version	standard	wraparound	standard_parallel	wraparound_parallel
+0	103.8	315.0	12.91	38.73
+1	76.70	174.8	10.98	23.48
+END
+set multiplot layout 1,2 margins 0.09,0.95,0.2,0.9 spacing 0.06
+set logscale y 2
+set yrange [0.5:24]
+set xrange [-0.6:4.6]
+set xtics ("naive" 0, "triangle" 1, "private" 2, "tiles" 3, "half tiles" 4) \
+  rotate by -30
+of(name, k) = strcol(1)[1:strlen(name)] eq name ? column(k) : NaN
+
+set title "standard"
+unset key
+set ylabel "times faster than naive on one thread" offset 1
+stats table using (of("standard_naive", "serial_ns")) nooutput
+plot table using 0:(STATS_max / of("standard", "serial_ns")) \
+       with points ps 0.9, \
+     "" using 0:(STATS_max / of("standard", "parallel_ns")) \
+       with points ps 0.9, \
+     $coursework using 1:(103.8 / column("standard")) \
+       with points pt 6 ps 0.9 lc rgb "black", \
+     "" using 1:(103.8 / column("standard_parallel")) \
+       with points pt 4 ps 0.9 lc rgb "black"
+
+set title "wraparound"
+unset ylabel
+set format y ""
+set key bottom right
+stats table using (of("wraparound_naive", "serial_ns")) nooutput
+plot table using ($0 - 5):(STATS_max / of("wraparound", "serial_ns")) \
+       with points ps 0.9 title "one thread", \
+     "" using ($0 - 5):(STATS_max / of("wraparound", "parallel_ns")) \
+       with points ps 0.9 title "all processors", \
+     $coursework using 1:(315.0 / column("wraparound")) \
+       with points pt 6 ps 0.9 lc rgb "black" title "coursework, one", \
+     "" using 1:(315.0 / column("wraparound_parallel")) \
+       with points pt 4 ps 0.9 lc rgb "black" title "coursework, ten"
+unset multiplot

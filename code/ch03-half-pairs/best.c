@@ -1,0 +1,24 @@
+//> Begin with the worst
+// See best.h.
+#include "ch03-half-pairs/best.h"
+#include "common/fail.h"
+#include <stdlib.h>
+
+struct bests bests_begin(uint32_t n)
+{
+    struct bests bests = {allocate(n, sizeof *bests.near),
+                          allocate(n, sizeof *bests.far)};
+    for (uint32_t i = 0; i < n; i++) {
+        atomic_init(&bests.near[i].key, INFINITY);
+        atomic_init(&bests.far[i].key, -0.0);
+        bests.near[i].index = bests.far[i].index = UINT32_MAX;
+    }
+    return bests;
+}
+
+void bests_free(struct bests *bests)
+{
+    free(bests->near);
+    free(bests->far);
+}
+//<

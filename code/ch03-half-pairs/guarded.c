@@ -1,0 +1,93 @@
+//> Guard what threads share
+// See guarded.h. The loop is written once; what differs is how a
+// distance is offered.
+#include "ch03-half-pairs/guarded.h"
+#include "ch02-all-pairs/pair.h"
+#include "ch03-half-pairs/best.h"
+#include "common/count.h"
+
+typedef void offer_function(struct best *best, double key,
+                            uint32_t index);
+
+//> Offer every distance to both ends
+// Called by all threads of a parallel region, which share the rows.
+INLINED void share_rows(const enum geometry geometry,
+                        const struct question *question,
+                        struct bests bests, offer_function *offer)
+{
+    const struct points p = question->points;
+#pragma omp for schedule(dynamic, 32)
+    for (uint32_t i = 0; i < p.n; i++) {
+        for (uint32_t j = i + 1; j < p.n; j++) {
+            struct pair pair = pair2(geometry, question->space,
+                                     p.x[j] - p.x[i], p.y[j] - p.y[i]);
+            offer(&bests.near[i], pair.near2, j);
+            offer(&bests.near[j], pair.near2, i);
+            offer(&bests.far[i], -pair.far2, j);
+            offer(&bests.far[j], -pair.far2, i);
+        }
+        COUNT(distances, p.n - 1 - i);
+    }
+}
+//<
+
+//> Choose the geometry once
+INLINED void share(const struct question *question, struct bests bests,
+                   offer_function *offer)
+{
+    if (question->space.geometry == STANDARD)
+        share_rows(STANDARD, question, bests, offer);
+    else
+        share_rows(WRAPAROUND, question, bests, offer);
+}
+//<
+
+//> Copy the bests into the answers
+static void answer(struct bests bests, uint32_t n,
+                   struct answers *answers)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        answers->nearest[i] = bests.near[i].index;
+        answers->nearest2[i] = bests.near[i].key;
+        answers->furthest[i] = bests.far[i].index;
+        answers->furthest2[i] = -bests.far[i].key;
+    }
+}
+//<
+
+//> Let one thread at a time look
+void triangle_queue(const struct question *question,
+                    struct answers *answers)
+{
+    struct bests bests = bests_begin(question->points.n);
+#pragma omp parallel num_threads(question->threads)
+    share(question, bests, offer_queue);
+    answer(bests, question->points.n, answers);
+    bests_free(&bests);
+}
+//<
+
+//> Let threads look before they queue
+void triangle_critical(const struct question *question,
+                       struct answers *answers)
+{
+    struct bests bests = bests_begin(question->points.n);
+#pragma omp parallel num_threads(question->threads)
+    share(question, bests, offer_critical);
+    answer(bests, question->points.n, answers);
+    bests_free(&bests);
+}
+//<
+
+//> Let every best be its own lock
+void triangle_atomic(const struct question *question,
+                     struct answers *answers)
+{
+    struct bests bests = bests_begin(question->points.n);
+#pragma omp parallel num_threads(question->threads)
+    share(question, bests, offer_atomic);
+    answer(bests, question->points.n, answers);
+    bests_free(&bests);
+}
+//<
+//<

@@ -1,0 +1,21 @@
+//> Declare the guarded loops
+// The triangular loop on threads that share one set of bests: three
+// ways to keep them from losing updates. Each measures n (n-1) / 2
+// distances, needs 32 bytes a point, and gives ties to the lowest
+// index, whoever comes first.
+#pragma once
+#include "common/question.h"
+
+// One thread at a time may look at a best: right, and slow.
+void triangle_queue(const struct question *question,
+                    struct answers *answers);
+
+// Look first, and queue only with something to change: the
+// coursework's double check, its race repaired.
+void triangle_critical(const struct question *question,
+                       struct answers *answers);
+
+// Every best is its own lock, taken by compare-and-swap.
+void triangle_atomic(const struct question *question,
+                     struct answers *answers);
+//<

@@ -1,0 +1,45 @@
+//> Time the guards
+// The triangular loop under each guard, on one thread and on all
+// processors.
+//
+//     guards [POINTS [TRIALS]]
+#include "ch03-half-pairs/compare.h"
+#include "ch03-half-pairs/guarded.h"
+#include "ch03-half-pairs/private.h"
+#include "ch03-half-pairs/triangle.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const struct version guards[] = {
+    {"none", triangle, triangle}, // knows nothing of threads
+    {"queue", triangle_queue, triangle_queue},
+    {"critical", triangle_critical, triangle_critical},
+    {"atomic", triangle_atomic, triangle_atomic},
+    {"reduction", triangle_reduction, triangle_reduction},
+};
+enum { GUARDS = sizeof guards / sizeof *guards };
+
+int main(int argc, char **argv)
+{
+    fail_as("guards", NULL);
+    uint32_t n = argc > 1 ? atoi(argv[1]) : 1000;
+    int trials = argc > 2 ? atoi(argv[2]) : 3;
+    struct points points = uniform_points(n);
+    struct times times[GUARDS];
+    compare(points, STANDARD, trials, guards, GUARDS, times);
+    report_provenance(stdout);
+    puts("name\tn\tthreads\tone_ns\tone_ns_q1\tone_ns_q3"
+         "\tall_ns\tall_ns_q1\tall_ns_q3");
+    for (int g = 0; g < GUARDS; g++) {
+        printf("%s\t%u\t%d", guards[g].name, n, omp_get_num_procs());
+        print_times(&times[g].serial);
+        print_times(&times[g].parallel);
+        puts("");
+    }
+    points_free(&points);
+    return 0;
+}
+//<

@@ -1,0 +1,51 @@
+//> Weigh each thread's share
+// Which part of the triangle's pairs falls to each thread, under static
+// schedules with smaller and larger chunks. Nothing is timed: a static
+// schedule depends on the numbers of rows and threads only.
+//
+//     load [POINTS [THREADS]]
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+//> Add up each thread's pairs
+static void weigh(uint32_t n, int threads, uint64_t *pairs)
+{
+#pragma omp parallel num_threads(threads)
+    {
+        uint64_t mine = 0;
+#pragma omp for schedule(runtime)
+        for (uint32_t i = 0; i < n; i++)
+            mine += n - 1 - i;
+        pairs[omp_get_thread_num()] = mine;
+    }
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("load", NULL);
+    uint32_t n = argc > 1 ? atoi(argv[1]) : 8000;
+    int threads = argc > 2 ? atoi(argv[2]) : 10;
+    enum { KINDS = 3 };
+    const int chunks[KINDS] = {0, n / (4 * threads), 1}; // 0: undivided
+    uint64_t *pairs = allocate(threads * KINDS, sizeof *pairs);
+    omp_set_dynamic(0);
+    for (int kind = 0; kind < KINDS; kind++) {
+        omp_set_schedule(omp_sched_static, chunks[kind]);
+        weigh(n, threads, pairs + kind * threads);
+    }
+    report_provenance(stdout);
+    puts("name\tthread\tblocks\tquarters\tsingles");
+    double all = n * (n - 1.0) / 2;
+    for (int t = 0; t < threads; t++)
+        printf("thread_%d\t%d\t%.4f\t%.4f\t%.4f\n", t + 1, t + 1,
+               pairs[t] / all, pairs[threads + t] / all,
+               pairs[2 * threads + t] / all);
+    free(pairs);
+    return 0;
+}
+//<

@@ -1,0 +1,101 @@
+//> Lose updates
+//     lost-updates [RUNS [LARGEST]]
+// What becomes of the triangular loop when its rows are handed to
+// several threads and nothing else is done: all of them change the same
+// answers, unguarded. A data race, on purpose, and the only one in this
+// book. Prints how many answers came out wrong, for up to LARGEST
+// points in two arrangements.
+#include "ch03-half-pairs/triangle.h"
+#include "common/clock.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include "common/report.h"
+#include <stdlib.h>
+
+//> Share out the rows and hope
+static void triangle_racing(const struct question *question,
+                            struct answers *answers)
+{
+    uint32_t n = question->points.n;
+    triangle_begin(answers, n);
+#pragma omp parallel for num_threads(question->threads) \
+    schedule(static, 1)
+    for (uint32_t i = 0; i < n; i++)
+        triangle_row(question, answers, i);
+}
+//<
+
+//> Build houses along a street
+// In the order of their numbers: every step away from a house is a step
+// further, so that nearly every pair improves something.
+static void street(struct points points, uint64_t seed)
+{
+    (void)seed;
+    for (uint32_t i = 0; i < points.n; i++) {
+        points.x[i] = (i + 0.5) / points.n;
+        points.y[i] = 0.5;
+    }
+}
+//<
+
+//> Count the wrong answers
+static int wrong_answers(const struct answers *found,
+                         const struct answers *right, uint32_t n)
+{
+    int wrong = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        wrong += found->nearest2[i] != right->nearest2[i];
+        wrong += found->furthest2[i] != right->furthest2[i];
+    }
+    return wrong;
+}
+//<
+
+//> Race many times and print what was lost
+static void race(const struct distribution *distribution, uint32_t n,
+                 int runs)
+{
+    struct points points = generate(distribution, n, 1);
+    struct question question = {points, {STANDARD, 1, 1}, 2};
+    struct answers right = answers_allocate(n);
+    struct answers found = answers_allocate(n);
+    triangle(&question, &right);
+    double *wrong = allocate(runs, sizeof *wrong), sum = 0;
+    int bad = 0;
+    for (int run = 0; run < runs; run++) {
+        triangle_racing(&question, &found);
+        wrong[run] = wrong_answers(&found, &right, n);
+        sum += wrong[run];
+        bad += wrong[run] > 0;
+    }
+    struct summary summary = summarize(wrong, runs);
+    printf("%s_%u\t%u\t%d\t%d\t%g\t%g\t%g\t%g\t%g\n",
+           distribution->name, n, n, runs, bad, sum / runs,
+           summary.median, summary.q1, summary.q3, summary.max);
+    free(wrong);
+    answers_free(&found);
+    answers_free(&right);
+    points_free(&points);
+}
+//<
+
+//> Race at every size
+int main(int argc, char **argv)
+{
+    fail_as("lost-updates", NULL);
+    int runs = argc > 1 ? atoi(argv[1]) : 100;
+    uint32_t largest = argc > 2 ? (uint32_t)atol(argv[2]) : 2000;
+    if (runs < 1)
+        fail("expected a number of runs, found \"%s\"", argv[1]);
+    report_provenance(stdout);
+    printf("name\tn\truns\tbad_runs\tmean_wrong\twrong\twrong_q1\t"
+           "wrong_q3\twrong_most\n");
+    const struct distribution houses = {"street", "", street};
+    for (uint32_t n = 125; n <= largest; n *= 2) {
+        race(find_distribution("uniform"), n, runs);
+        race(&houses, n, runs);
+    }
+    return 0;
+}
+//<
+//<

@@ -1,0 +1,75 @@
+//> Time the schedules
+// The triangular loop with private answers, its rows handed out under
+// each of OpenMP's schedules with smaller and larger chunks.
+//
+//     schedules [POINTS [TRIALS]]
+#include "ch03-half-pairs/compare.h"
+#include "ch03-half-pairs/private.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct entry {
+    omp_sched_t schedule;
+    int chunk;
+    const struct question *question;
+    struct answers *answers;
+};
+
+static void run_entry(void *context)
+{
+    struct entry *entry = context;
+    triangle_private(entry->question, entry->answers, entry->schedule,
+                     entry->chunk);
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("schedules", NULL);
+    uint32_t n = argc > 1 ? atoi(argv[1]) : 2000;
+    int trials = argc > 2 ? atoi(argv[2]) : 3;
+    struct points points = uniform_points(n);
+    struct question question = {
+        points, {STANDARD, 1, 1}, omp_get_num_procs()};
+    struct answers answers = answers_allocate(n);
+
+    //> Try every schedule with every chunk
+    static const struct {
+        const char *name;
+        omp_sched_t schedule;
+    } kinds[] = {{"static", omp_sched_static},
+                 {"dynamic", omp_sched_dynamic},
+                 {"guided", omp_sched_guided}};
+    enum { CHUNKS = 6, ENTRIES = 3 * CHUNKS + 1 };
+    struct entry entries[ENTRIES];
+    struct trial turns[ENTRIES];
+    for (int e = 0; e < ENTRIES; e++) { // the last: static, undivided
+        omp_sched_t kind =
+            kinds[e < 3 * CHUNKS ? e / CHUNKS : 0].schedule;
+        int chunk = e < 3 * CHUNKS ? 1 << 2 * (e % CHUNKS) : 0;
+        entries[e] = (struct entry){kind, chunk, &question, &answers};
+        turns[e] =
+            (struct trial){.work = run_entry, .context = &entries[e]};
+    }
+    time_in_turn(trials, turns, ENTRIES);
+    //<
+    report_provenance(stdout);
+    puts("name\tn\tthreads\tchunk\tns\tns_q1\tns_q3");
+    double pairs = n * (n - 1.0);
+    for (int e = 0; e < ENTRIES; e++) {
+        struct summary s = turns[e].summary;
+        if (e < 3 * CHUNKS)
+            printf("%s_%d", kinds[e / CHUNKS].name, entries[e].chunk);
+        else
+            printf("blocks");
+        printf("\t%u\t%d\t%d\t%.4g\t%.4g\t%.4g\n", n, question.threads,
+               entries[e].chunk, s.median / pairs, s.q1 / pairs,
+               s.q3 / pairs);
+    }
+    answers_free(&answers);
+    points_free(&points);
+    return 0;
+}
+//<

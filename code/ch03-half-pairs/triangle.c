@@ -1,0 +1,67 @@
+//> Measure every distance once
+// See triangle.h.
+#include "ch03-half-pairs/triangle.h"
+#include "ch02-all-pairs/pair.h"
+#include "common/count.h"
+
+//> Begin with the worst possible neighbors
+void triangle_begin(struct answers *answers, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        answers->nearest[i] = answers->furthest[i] = i == 0;
+        answers->nearest2[i] = INFINITY;
+        answers->furthest2[i] = 0;
+    }
+}
+//<
+
+//> Offer a neighbor to one end
+static inline void offer(struct answers *answers, uint32_t i,
+                         uint32_t j, struct pair pair)
+{
+    if (pair.near2 < answers->nearest2[i]) {
+        answers->nearest2[i] = pair.near2;
+        answers->nearest[i] = j;
+    }
+    if (pair.far2 > answers->furthest2[i]) {
+        answers->furthest2[i] = pair.far2;
+        answers->furthest[i] = j;
+    }
+}
+//<
+
+//> Measure one point against those after it
+INLINED void row(const enum geometry geometry,
+                 const struct question *question,
+                 struct answers *answers, uint32_t i)
+{
+    const struct points p = question->points;
+    for (uint32_t j = i + 1; j < p.n; j++) {
+        struct pair pair = pair2(geometry, question->space,
+                                 p.x[j] - p.x[i], p.y[j] - p.y[i]);
+        offer(answers, i, j, pair);
+        offer(answers, j, i, pair);
+    }
+    COUNT(distances, p.n - 1 - i);
+}
+//<
+
+void triangle_row(const struct question *question,
+                  struct answers *answers, uint32_t i)
+{
+    if (question->space.geometry == STANDARD)
+        row(STANDARD, question, answers, i);
+    else
+        row(WRAPAROUND, question, answers, i);
+}
+
+//> Walk down the triangle
+void triangle(const struct question *question, struct answers *answers)
+{
+    uint32_t n = question->points.n;
+    triangle_begin(answers, n);
+    for (uint32_t i = 0; i < n; i++)
+        triangle_row(question, answers, i);
+}
+//<
+//<

@@ -1,0 +1,149 @@
+//> Walk down the triangle in tiles
+// See triangle_tiles.h. The columns of a tile, coordinates and bests so
+// far, stay in the first cache. As in chapter 2, the bests learn only
+// the block of a neighbor, and a second look finds the point.
+#include "ch03-half-pairs/triangle_tiles.h"
+#include "ch02-all-pairs/difference.h"
+#include "ch02-all-pairs/pair.h"
+#include "ch02-all-pairs/tile.h"
+#include "ch03-half-pairs/best.h"
+#include "common/count.h"
+#include <stdbool.h>
+
+//> Fix the sizes of a tile
+enum { SIDE = 256 }; // a multiple of LANES
+
+struct columns {
+    double x[SIDE], y[SIDE];
+    double near2[SIDE], far2[SIDE]; // the best so far
+};
+//<
+
+//> Choose without a branch
+// a and b in this order: where a is NAN, b stays.
+INLINED double lower(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+INLINED double higher(double a, double b)
+{
+    return a > b ? a : b;
+}
+//<
+
+//> Load the columns of a tile
+// Beyond the last point stands NAN, which is neither nearer nor
+// further than anything.
+static void load(struct columns *columns, struct points points,
+                 uint64_t left)
+{
+    for (uint32_t k = 0; k < SIDE; k++) {
+        bool inside = k < points.n - left;
+        columns->x[k] = inside ? points.x[left + k] : NAN;
+        columns->y[k] = inside ? points.y[left + k] : NAN;
+        columns->near2[k] = INFINITY;
+        columns->far2[k] = 0;
+    }
+}
+//<
+
+//> Measure a row of the tile
+// Returns the best of the row; those of the columns are improved. Each
+// lane keeps a best of its own, so that no step waits for the last.
+INLINED struct pair measure(const enum geometry geometry,
+                            struct space space, double x, double y,
+                            const double *xs, const double *ys,
+                            double *restrict near2,
+                            double *restrict far2)
+{
+    const double one = unit;
+    double low[LANES], high[LANES];
+    for (int lane = 0; lane < LANES; lane++) {
+        low[lane] = INFINITY;
+        high[lane] = 0;
+    }
+    for (int k = 0; k < SIDE; k += LANES)
+#pragma omp simd
+        for (int lane = 0; lane < LANES; lane++) {
+            double dx = difference(xs[k + lane], x, one);
+            double dy = difference(ys[k + lane], y, one);
+            struct pair pair = pair2(geometry, space, dx, dy);
+            //> Improve both ends without a branch
+            low[lane] = lower(pair.near2, low[lane]);
+            high[lane] = higher(pair.far2, high[lane]);
+            near2[k + lane] = lower(pair.near2, near2[k + lane]);
+            far2[k + lane] = higher(pair.far2, far2[k + lane]);
+            //<
+        }
+    //> Fold the lanes into one
+    for (int half = LANES / 2; half > 0; half /= 2)
+        for (int lane = 0; lane < half; lane++) {
+            low[lane] = lower(low[lane], low[lane + half]);
+            high[lane] = higher(high[lane], high[lane + half]);
+        }
+    return (struct pair){low[0], high[0]};
+    //<
+}
+//<
+
+//> Measure a tile
+INLINED void tile(const enum geometry geometry,
+                  const struct question *question, struct bests bests,
+                  uint64_t top, uint64_t left)
+{
+    const struct points p = question->points;
+    struct columns columns;
+    load(&columns, p, left);
+    const uint64_t right = left + SIDE < p.n ? left + SIDE : p.n;
+    for (uint64_t i = top; i < top + SIDE && i < p.n; i++) {
+        if (top == left) // a row meets only the points after it
+            columns.x[i - top] = NAN;
+        struct pair best =
+            measure(geometry, question->space, p.x[i], p.y[i],
+                    columns.x, columns.y, columns.near2, columns.far2);
+        offer_atomic(&bests.near[i], best.near2, left / SIDE);
+        offer_atomic(&bests.far[i], -best.far2, left / SIDE);
+        COUNT(distances, right - (top == left ? i + 1 : left));
+    }
+    for (uint64_t j = left; j < right; j++) {
+        offer_atomic(&bests.near[j], columns.near2[j - left],
+                     top / SIDE);
+        offer_atomic(&bests.far[j], -columns.far2[j - left],
+                     top / SIDE);
+    }
+}
+//<
+
+//> Share the tiles, then the points
+INLINED void share(const enum geometry geometry,
+                   const struct question *question, struct bests bests,
+                   struct answers *answers)
+{
+    const uint32_t n = question->points.n;
+#pragma omp for schedule(dynamic, 1)
+    for (uint64_t top = 0; top < n; top += SIDE) {
+        for (uint64_t left = top; left < n; left += SIDE)
+            tile(geometry, question, bests, top, left);
+    }
+#pragma omp for
+    for (uint32_t i = 0; i < n; i++)
+        look_again(geometry, question, answers, i, bests.near[i].key,
+                   bests.near[i].index * (uint64_t)SIDE,
+                   -bests.far[i].key,
+                   bests.far[i].index * (uint64_t)SIDE);
+}
+//<
+
+void triangle_tiles(const struct question *question,
+                    struct answers *answers)
+{
+    struct bests bests = bests_begin(question->points.n);
+#pragma omp parallel num_threads(question->threads)
+    if (question->space.geometry == STANDARD)
+        share(STANDARD, question, bests, answers);
+    else
+        share(WRAPAROUND, question, bests, answers);
+    bests_free(&bests);
+}
+//<
