@@ -2,33 +2,49 @@
 // See near_progress.h.
 #include "near_progress.h"
 #include "common/clock.h"
+#include <errno.h>
+#include <inttypes.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <time.h>
 #include <unistd.h>
 
 static struct {
     pthread_t thread;
+    pthread_mutex_t lock; // of running
+    pthread_cond_t stop;
     bool running;
     const char *what;
     uint32_t rows;
     atomic_uint_fast32_t done;
     int64_t start;
-} progress;
+} progress = {.lock = PTHREAD_MUTEX_INITIALIZER,
+              .stop = PTHREAD_COND_INITIALIZER};
 
 //> Write the line once a second
+static void write_line(void)
+{
+    int64_t seconds = (clock_ns() - progress.start) / 1000000000;
+    fprintf(stderr, "\r%s: %" PRId64 " s", progress.what, seconds);
+    if (progress.rows)
+        fprintf(stderr, ", %.0f %%",
+                100.0 * progress.done / progress.rows);
+}
+
 static void *show(void *unused)
 {
-    for (;;) {
-        sleep(1); // where progress_stop can cancel us
-        int64_t seconds = (clock_ns() - progress.start) / 1000000000;
-        fprintf(stderr, "\r%s: %lld s", progress.what,
-                (long long)seconds);
-        if (progress.rows)
-            fprintf(stderr, ", %.0f %%",
-                    100.0 * progress.done / progress.rows);
+    pthread_mutex_lock(&progress.lock);
+    while (progress.running) {
+        struct timespec next;
+        clock_gettime(CLOCK_REALTIME, &next);
+        next.tv_sec++;
+        if (pthread_cond_timedwait(&progress.stop, &progress.lock,
+                                   &next) == ETIMEDOUT)
+            write_line();
     }
+    pthread_mutex_unlock(&progress.lock);
     return unused;
 }
 //<
@@ -40,9 +56,10 @@ void progress_start(const char *what, uint32_t rows)
     progress.rows = rows;
     progress.done = 0;
     progress.start = clock_ns();
-    progress.running =
-        isatty(STDERR_FILENO) &&
-        pthread_create(&progress.thread, NULL, show, NULL) == 0;
+    progress.running = isatty(STDERR_FILENO);
+    if (progress.running &&
+        pthread_create(&progress.thread, NULL, show, NULL) != 0)
+        progress.running = false; // then without it
 }
 
 void progress_row(void)
@@ -54,9 +71,11 @@ void progress_stop(void)
 {
     if (!progress.running)
         return;
-    pthread_cancel(progress.thread);
-    pthread_join(progress.thread, NULL);
+    pthread_mutex_lock(&progress.lock);
     progress.running = false;
+    pthread_cond_signal(&progress.stop);
+    pthread_mutex_unlock(&progress.lock);
+    pthread_join(progress.thread, NULL);
     fprintf(stderr, "\r\033[K"); // clears the line
 }
 //<
