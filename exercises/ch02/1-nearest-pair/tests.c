@@ -34,6 +34,10 @@ static const char *tell(struct points points, struct pair pair)
 static const char *cause(struct points points, struct pair right,
                          struct pair found)
 {
+    if (isinf(right.distance2) && found.i == found.j)
+        return "The squared distances are infinite, so none beats the "
+               "infinity that the search began with: begin with a pair "
+               "and its distance.";
     if (found.i == found.j && found.distance2 != 0)
         return "No pair beat what the search began with. Does it begin "
                "with a distance that every pair beats?";
@@ -103,6 +107,12 @@ static void far_apart(uint64_t seed)
     for (uint32_t i = 0; i < points.n; i++)
         points.x[i] += 1e6 * i;
     kit_given("20 points, a million apart");
+    check(points);
+    kit_next_case();
+    points = kit_points("uniform", 20, seed);
+    for (uint32_t i = 0; i < points.n; i++)
+        points.x[i] += 1e300 * i;
+    kit_given("20 points, so far apart that the square is infinite");
     check(points);
 }
 

@@ -1,3 +1,3 @@
 # The search begins with 1, as if nothing could be further apart.
 # expect: No pair beat what the search began with
-s/INFINITY/1/
+s/best = {0, 1, between(points, 0, 1)}/best = {.distance2 = 1}/
