@@ -4,6 +4,7 @@
 local job = dofile(os.getenv("PRESS_JOB"))
 package.path = job.press .. "/?.lua;" .. package.path
 
+local context = require "context"
 local emblem = require "emblem"
 local exercises = require "exercises"
 local faults = require "faults"
@@ -36,7 +37,7 @@ local book = {
   bibliography = keys_of(job.bibliography),
 }
 values.load(job.data)
-weave.into(book)
+context.book = book
 
 -- ---- parts and chapters ---------------------------------------------
 -- The part a chapter belongs to: the last that begins at or before it.
@@ -85,7 +86,7 @@ local function read_chapter(path, chapter, exercise_list)
     doc.blocks:remove(1)
   end
   chapter.source, chapter.answers = text, {}
-  weave.label("ch:" .. chapter.id, path, 1)
+  context.label("ch:" .. chapter.id, path, 1)
   local blocks = weave.text(chapter, doc.blocks)
   local opened = pandoc.Plain(title.content)
   opened.content:insert(1, pandoc.RawInline("latex",
@@ -174,7 +175,7 @@ function Pandoc(doc)
   doc.meta.nocite = also_cited()
   doc.meta.emblem = pandoc.MetaInlines { pandoc.RawInline("latex", emblem) }
   doc.meta.figures = job.build .. "/figures/"
-  weave.check_references()
+  context.check_references()
   fragments.check_shown(book.fragments)
   files.write(job.folder .. "/faults", faults.report())
   files.write(job.folder .. "/notes", faults.report_notes())

@@ -1,6 +1,7 @@
 -- The exercises of a chapter, from exercises/chNN/K-name/exercise.md:
 -- front matter with title, stars, minutes, points and needs, then the
 -- text. Hints and model answers are checked, but not printed.
+local context = require "context"
 local faults = require "faults"
 local files = require "files"
 local latex = require "latex"
@@ -51,7 +52,7 @@ function exercises.read(job, chapter, path)
     files.exists((path:gsub("exercise%.md$", "solution.c")))
   local label = ("ex:%s-%s"):format(folder, name)
   local full = ("%d.%s"):format(chapter.number, k)
-  weave.label(label, path, 1)
+  context.label(label, path, 1)
 
   local blocks = weave.text({ source = source.open(path), id = chapter.id,
     exercise = true, answers = {} }, doc.blocks)

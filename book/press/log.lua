@@ -17,6 +17,8 @@ local complaints = {
     end },
   { "^LaTeX Warning: Reference [`'](.-)' on page %S+ undefined",
     function(label)
+      -- The press has complained already about a fragment not shown.
+      if label:match("^frag:") then return nil end
       return ('there is nothing with the label "%s"'):format(label)
     end },
   { "^LaTeX Warning: Label [`'](.-)' multiply defined",
@@ -43,9 +45,12 @@ function log.faults(text)
     end
     for _, complaint in ipairs(complaints) do
       local captures = { entry:match(complaint[1]) }
+      local sentence, words
       if captures[1] then
-        table.insert(found,
-          { file, line, complaint[2](table.unpack(captures)) })
+        sentence, words = complaint[2](table.unpack(captures))
+      end
+      if sentence then
+        table.insert(found, { file, line, sentence, words })
         break
       end
     end

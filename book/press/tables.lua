@@ -1,109 +1,147 @@
 -- Tables as LaTeX with rules above, below and under the head. Columns
--- of numbers are set right; if the whole is wider than the page, the
--- widest columns of words are broken into lines.
+-- of numbers are set right. If the whole is wider than the page, long
+-- heads go into two lines, and then the widest columns of words are
+-- broken, too.
+local context = require "context"
+
 local tables = {}
 
 local WIDTH = 77   -- characters of small type on a line of the page
 local GAP = 3      -- characters between two columns
 local WORDS = 18   -- a column this wide can be broken
 
-local function tex(text)
-  return pandoc.RawInline("latex", text)
-end
+local raw = context.raw
 
--- A cell as one run of inlines, and what it will look like.
+-- A cell as one run of inlines, with what it will look like.
 local function flatten(cell)
-  local inlines = pandoc.utils.blocks_to_inlines(cell.contents or cell[5])
-  return inlines, pandoc.utils.stringify(inlines)
+  local inlines = pandoc.utils.blocks_to_inlines(cell.contents)
+  return { inlines = inlines, text = pandoc.utils.stringify(inlines) }
 end
 
--- Numbers, also with a unit, a sign, a factor; or nothing at all.
+local function width(text)
+  return utf8.len(text) or #text
+end
+
+-- A number, also with a sign, a factor, a unit; or nothing at all.
 local function numeric(text)
-  text = text:gsub("[\u{2009}\u{a0}]", " ")
-  return text == "" or text == "–" or text == "—"
-    or text:match("^[≈<>~]?%s*[−-]?%d[%d,.]*%s*[%%%a×µ]*$") ~= nil
-      and #text < 16
+  text = text:gsub("\u{a0}", " "):gsub("\u{2212}", "-")
+    :gsub("\u{d7}", "x"):gsub("\u{b5}", "u")
+  return text == "" or text == "\u{2013}" or text == "\u{2014}"
+    or width(text) < 16 and text:match("^[<>~]?%s*%-?%d[%d,.]*%s*[%%%a]*$")
+      ~= nil
 end
 
 -- l, r, c as the writer asked, or else by what the column holds.
-local function alignment(spec, column)
-  local asked = spec[1]
-  if asked == "AlignRight" then return "r" end
-  if asked == "AlignCenter" then return "c" end
-  if asked == "AlignLeft" then return "l" end
-  for _, text in ipairs(column) do
-    if not numeric(text) then return "l" end
+local letters = { AlignLeft = "l", AlignRight = "r", AlignCenter = "c" }
+
+local function letter(spec, column)
+  if letters[spec[1]] then return letters[spec[1]] end
+  for _, cell in ipairs(column.cells) do
+    if not numeric(cell.text) then return "l" end
   end
   return "r"
 end
 
-local function rows_of(tbl)
-  local head, body = {}, {}
-  for _, row in ipairs(tbl.head.rows or tbl.head[2]) do
-    table.insert(head, row.cells or row[2])
+-- The columns of the table, each with its head and its cells.
+local function columns_of(tbl)
+  local columns = {}
+  for i in ipairs(tbl.colspecs) do columns[i] = { cells = {} } end
+  for _, row in ipairs(tbl.head.rows) do
+    for i, cell in ipairs(row.cells) do columns[i].head = flatten(cell) end
   end
   for _, part in ipairs(tbl.bodies) do
     for _, row in ipairs(part.body) do
-      table.insert(body, row.cells or row[2])
+      for i, cell in ipairs(row.cells) do
+        table.insert(columns[i].cells, flatten(cell))
+      end
     end
   end
-  return head, body
+  for i, column in ipairs(columns) do
+    column.letter = letter(tbl.colspecs[i], column)
+    column.width = 0
+    for _, cell in ipairs(column.cells) do
+      column.width = math.max(column.width, width(cell.text))
+    end
+    column.head_width = column.head and width(column.head.text) or 0
+  end
+  return columns
 end
 
--- The letters for tabularx, given the text of all cells by column. A
--- column must be broken (X) if the table does not fit otherwise.
-local function columns(specs, heads, texts)
-  local widths, letters, total = {}, {}, -GAP
-  for i, spec in ipairs(specs) do
-    letters[i] = alignment(spec, texts[i])
-    widths[i] = 0
-    for _, list in ipairs { heads[i], texts[i] } do
-      for _, text in ipairs(list) do
-        widths[i] = math.max(widths[i], utf8.len(text) or #text)
-      end
-    end
-    total = total + widths[i] + GAP
+local function total(columns)
+  local sum = -GAP
+  for _, column in ipairs(columns) do
+    sum = sum + math.max(column.width, column.head_width) + GAP
   end
+  return sum
+end
+
+-- Puts a head into two lines of about the same length.
+local function break_head(column)
+  local inlines = column.head.inlines
+  local best, at = column.head_width, nil
+  for i, x in ipairs(inlines) do
+    if x.t == "Space" or x.t == "SoftBreak" then
+      local left = pandoc.List(table.move(inlines, 1, i - 1, 1, {}))
+      local right = pandoc.List(table.move(inlines, i + 1, #inlines, 1, {}))
+      local wide = math.max(width(pandoc.utils.stringify(left)),
+        width(pandoc.utils.stringify(right)))
+      if wide < best then best, at = wide, i end
+    end
+  end
+  if at then
+    inlines[at] = raw("\\\\")
+    inlines:insert(1, raw("\\begin{tabular}[b]{@{}" .. column.letter ..
+      "@{}}"))
+    inlines:insert(raw("\\end{tabular}"))
+    column.head_width = best
+  end
+end
+
+-- Makes the table fit. Returns whether a column of words is broken.
+local function fit(columns)
+  if total(columns) <= WIDTH then return false end
+  for _, column in ipairs(columns) do
+    if column.head_width > column.width then break_head(column) end
+  end
+  if total(columns) <= WIDTH then return false end
   local broken = false
-  if total > WIDTH then
-    for i, width in ipairs(widths) do
-      if width > WORDS and letters[i] ~= "r" then
-        letters[i] = "X"
-        broken = true
-      end
+  for _, column in ipairs(columns) do
+    if column.letter ~= "r" and column.width > WORDS then
+      column.letter = "Y"
+      broken = true
     end
   end
-  return table.concat(letters), broken
+  return broken
 end
 
 -- The table as one Plain block of raw LaTeX and the cells' inlines.
 function tables.latex(tbl)
-  local head, body = rows_of(tbl)
-  local heads, texts, out = {}, {}, pandoc.List()
-  for i = 1, #tbl.colspecs do heads[i], texts[i] = {}, {} end
+  local columns = columns_of(tbl)
+  local broken = fit(columns)
+  local out, spec = pandoc.List(), "@{}"
+  for _, column in ipairs(columns) do spec = spec .. column.letter end
+  out:insert(raw((broken and "\\begin{tabularx}{\\linewidth}{%s@{}}"
+    or "\\begin{tabular}{%s@{}}"):format(spec) .. "\n\\toprule\n"))
 
-  local function row(cells, into, bold)
-    for i, cell in ipairs(cells) do
-      local inlines, text = flatten(cell)
-      table.insert(into[i], text)
-      if i > 1 then out:insert(tex(" & ")) end
-      if bold then out:insert(tex("\\tablehead{")) end
-      out:extend(inlines)
-      if bold then out:insert(tex("}")) end
+  local function row(cell_of, style)
+    for i, column in ipairs(columns) do
+      if i > 1 then out:insert(raw(" & ")) end
+      out:insert(raw(style .. "{"))
+      out:extend(cell_of(column).inlines)
+      out:insert(raw("}"))
     end
-    out:insert(tex(" \\\\\n"))
+    out:insert(raw(" \\\\\n"))
   end
 
-  for _, cells in ipairs(head) do row(cells, heads, true) end
-  if #head > 0 then out:insert(tex("\\midrule\n")) end
-  for _, cells in ipairs(body) do row(cells, texts, false) end
-
-  local letters, broken = columns(tbl.colspecs, heads, texts)
-  local open = broken and "\\begin{tabularx}{\\linewidth}{@{}" .. letters
-    or "\\begin{tabular}{@{}" .. letters
-  local close = broken and "\\end{tabularx}" or "\\end{tabular}"
-  out:insert(1, tex(open .. "@{}}\n\\toprule\n"))
-  out:insert(tex("\\bottomrule\n" .. close))
+  if columns[1].head then
+    row(function(column) return column.head end, "\\tablehead")
+    out:insert(raw("\\midrule\n"))
+  end
+  for i in ipairs(columns[1].cells) do
+    row(function(column) return column.cells[i] end, "")
+  end
+  out:insert(raw("\\bottomrule\n" ..
+    (broken and "\\end{tabularx}" or "\\end{tabular}")))
   return pandoc.Plain(out)
 end
 

@@ -1,128 +1,26 @@
--- Turns what pandoc has read of one chapter into what LaTeX will set:
--- follows blocks and inlines in their order through the text, replaces
--- what is ours (CONTRIBUTING.md, "The prose"), and finds the faults.
+-- Turns what pandoc has read of one file into what LaTeX will set:
+-- follows the blocks in their order through the text, replaces what is
+-- ours (CONTRIBUTING.md, "The prose"), and finds the faults.
 local capture = require "capture"
+local context = require "context"
 local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
-local latex = require "latex"
+local inlines = require "inlines"
 local listing = require "listing"
-local numbers = require "numbers"
+local latex = require "latex"
 local tables = require "tables"
-local values = require "values"
+local words_of = require "words"
+
+local fault, raw, raw_block = context.fault, context.raw, context.raw_block
+local mark, class_of = context.mark, context.class_of
+local opening = words_of.opening
 
 local weave = {}
+local block, code = {}, {}
+local here -- the text being woven
 
-local stringify = pandoc.utils.stringify
-local book      -- fragments, labels, references, citations, the job
-local here      -- the text being woven: source, chapter, questions
-local in_table = false
-
-local function raw(text)
-  return pandoc.RawInline("latex", text)
-end
-
-local function raw_block(text)
-  return pandoc.RawBlock("latex", text)
-end
-
-local function fault(words, sentence, ...)
-  faults.add(here.source.path, here.source:find(words), sentence, ...)
-end
-
--- In the log, LaTeX's complaints follow the place they belong to.
-local function mark(line)
-  return ("\\pressat{%s:%d}"):format(here.source.path, line)
-end
-
--- ---- words as they stand in the file ----------------------------------
--- The text of inlines as it was typed: in an expression, stars are no
--- emphasis.
-local function typed(inlines)
-  local parts = {}
-  for _, x in ipairs(inlines) do
-    if x.t == "Emph" then
-      table.insert(parts, "*" .. typed(x.content) .. "*")
-    elseif x.t == "Strong" then
-      table.insert(parts, "**" .. typed(x.content) .. "**")
-    elseif x.t == "Superscript" then
-      table.insert(parts, "^" .. typed(x.content) .. "^")
-    elseif x.t == "Quoted" then
-      local mark_of = x.quotetype == "SingleQuote" and "'" or '"'
-      table.insert(parts, mark_of .. typed(x.content) .. mark_of)
-    elseif x.content then
-      table.insert(parts, typed(x.content))
-    else
-      table.insert(parts, stringify(x))
-    end
-  end
-  return (table.concat(parts):gsub("\u{2019}", "'")
-    :gsub("\u{2013}", "--"):gsub("\u{2026}", "..."))
-end
-
--- The first words that stand in the file one after the other.
-local function opening(inlines)
-  local words = ""
-  for _, x in ipairs(inlines) do
-    if x.t == "Str" then
-      words = words .. x.text
-    elseif x.t == "Space" then
-      words = words .. " "
-    elseif words:match("%S") then
-      break
-    elseif x.t == "Code" then
-      return x.text
-    elseif x.content then
-      words = opening(x.content)
-      if words ~= "" then break end
-    end
-    if #words > 50 then break end
-  end
-  return (words:gsub("%s+$", ""))
-end
-
--- Running text with everything hidden that may hold any number.
-local marked = { value = true, reported = true, given = true,
-  machine = true, fragment = true }
-
-local function visible(inlines)
-  local parts = {}
-  for _, x in ipairs(inlines) do
-    if x.t == "Str" then
-      table.insert(parts, x.text)
-    elseif x.t == "Space" or x.t == "SoftBreak" or x.t == "LineBreak" then
-      table.insert(parts, " ")
-    elseif x.t == "Span" and marked[x.classes[1]] or x.t == "Cite" then
-      table.insert(parts, numbers.HIDDEN)
-    elseif x.content and x.t ~= "Note" then
-      table.insert(parts, visible(x.content))
-    else
-      table.insert(parts, numbers.HIDDEN)
-    end
-  end
-  return table.concat(parts)
-end
-
-local function check_numbers(inlines)
-  for _, number in ipairs(numbers.suspicious(visible(inlines))) do
-    fault(number, '"%s" looks like a measurement typed by hand: quote a '
-      .. "table with {.value}, a report with {.reported}, or mark it "
-      .. "{.given}", number)
-  end
-end
-
--- ---- attributes -------------------------------------------------------
 -- Which classes there are, and which attributes each of them knows.
-local span_attributes = {
-  value = { as = true, digits = true },
-  reported = { by = true },
-  given = {},
-  claim = { ["if"] = true },
-  fragment = {},
-  index = { key = true },
-  machine = {},
-}
-
 local div_attributes = { quick = {}, answer = {}, hint = {} }
 
 local code_attributes = {
@@ -131,284 +29,6 @@ local code_attributes = {
   c = { given = true },
   sh = {}, text = {}, make = {}, tsv = {},
 }
-
--- The class of an element, if it is one of ours and well spelled.
-local function class_of(element, known, what, words)
-  local class = element.classes[1]
-  if not class then
-    fault(words, "this %s has no class", what)
-  elseif not known[class] then
-    fault(words, 'the class "%s" is unknown for a %s', class, what)
-    return nil
-  else
-    for name in pairs(element.attributes) do
-      if not known[class][name] then
-        fault(words, 'the attribute "%s" is unknown for a %s of class "%s"',
-          name, what, class)
-      end
-    end
-  end
-  return class
-end
-
-local function integer(text, words, what)
-  local n = math.tointeger(tonumber(text))
-  if text and not (n and n >= 0) then
-    fault(words, '%s="%s" is not a whole number', what, text)
-  end
-  return n
-end
-
--- ---- labels and references ----------------------------------------------
-function weave.label(label, path, line)
-  local first = book.labels[label]
-  if first then
-    faults.add(path, line, 'the label "%s" exists twice, here and at %s:%d',
-      label, first.path, first.line)
-  else
-    book.labels[label] = { path = path, line = line }
-  end
-end
-
-local function own_label(label, kind, words)
-  if label ~= "" and not label:match("^" .. kind .. ":.") then
-    fault(words, 'the label "%s" should begin with "%s:"', label, kind)
-  elseif label ~= "" then
-    weave.label(label, here.source.path, here.source:find("#" .. label))
-  end
-end
-
-local kinds = {
-  fig = "Figure", tab = "Table", sec = "Section", ch = "Chapter",
-  ex = "Exercise",
-}
-
-local function reference(label, kind)
-  table.insert(book.references, { label = label, path = here.source.path,
-    line = here.source:find("@" .. label) })
-  if kind == "ch" and label:match("^ch:appendix") then
-    kind = "Appendix"
-  else
-    kind = kinds[kind]
-  end
-  return raw(("\\crossref{%s}{%s}"):format(kind, label))
-end
-
-function weave.check_references()
-  for _, r in ipairs(book.references) do
-    if not book.labels[r.label] then
-      faults.add(r.path, r.line, 'there is nothing with the label "%s"',
-        r.label)
-    end
-  end
-end
-
--- ---- inlines ----------------------------------------------------------
-local inline, span = {}, {}
-
-local function inlines(list)
-  local result = pandoc.List()
-  for _, x in ipairs(list) do
-    local handler = inline[x.t]
-    if handler then
-      local new = handler(x)
-      if new.t then result:insert(new) else result:extend(new) end
-    elseif x.content then
-      x.content = inlines(x.content)
-      result:insert(x)
-    else
-      result:insert(x)
-    end
-  end
-  return result
-end
-
-function inline.Code(x)
-  if #x.classes > 0 then
-    fault(x.text, 'the class "%s" is unknown for code in a sentence',
-      x.classes[1])
-  end
-  return raw(latex.inline_code(x.text))
-end
-
-function inline.Cite(x)
-  local result = pandoc.List()
-  local literature = 0
-  for _, citation in ipairs(x.citations) do
-    local kind = citation.id:match("^(%a+):")
-    if kinds[kind] then
-      if #result > 0 then result:insert(pandoc.Str(", ")) end
-      result:insert(reference(citation.id, kind))
-    else
-      literature = literature + 1
-      if not book.bibliography[citation.id] then
-        fault("@" .. citation.id,
-          'references.bib has no entry "%s"', citation.id)
-      end
-    end
-  end
-  if literature == 0 then return result end
-  if #result > 0 then
-    fault("@" .. x.citations[1].id,
-      "literature and labels cannot share their brackets")
-  end
-  return x
-end
-
-function inline.Image(x)
-  fault("(" .. x.src .. ")", "a figure must be a paragraph of its own")
-  return pandoc.List()
-end
-
--- A footnote's words are elsewhere in the file than the sentence's.
-function inline.Note(x)
-  local cursor = here.source.cursor
-  x.content = weave.blocks(x.content)
-  here.source.cursor = cursor
-  return x
-end
-
-function inline.RawInline(x)
-  if x.format == "html" and x.text:match("^<!%-%-") then
-    return pandoc.List()
-  end
-  if x.format ~= "tex" and x.format ~= "latex" then
-    fault(x.text, "raw %s cannot be printed", x.format)
-  end
-  return x
-end
-
-function inline.Link(x)
-  x.content = inlines(x.content)
-  if x.target:match("^#") then
-    fault(x.target, "refer to %s with @", x.target)
-  end
-  return x
-end
-
-function inline.Span(x)
-  local words = typed(x.content)
-  local class = class_of(x, span_attributes, "span",
-    x.classes[1] and "." .. x.classes[1] or words)
-  if class then return span[class](x, words) end
-  return inlines(x.content)
-end
-
-function span.value(x, expression)
-  local words = "[" .. expression .. "]"
-  local value, why = values.evaluate(expression)
-  local text
-  if value ~= nil then
-    text, why = values.format(value, x.attributes.as,
-      integer(x.attributes.digits, words, "digits"))
-  end
-  if not text then
-    fault(words, "%s", why)
-    text = "?"
-  end
-  return raw(latex.text(text))
-end
-
-function span.given(x)
-  return inlines(x.content)
-end
-
-function span.reported(x, words)
-  local by = x.attributes.by
-  if not by then
-    fault("[" .. words .. "]", "a reported number needs its source: by=...")
-  elseif not book.bibliography[by] then
-    fault("[" .. words .. "]", 'references.bib has no entry "%s"', by)
-  else
-    book.cited[by] = true
-  end
-  local result = inlines(x.content)
-  result:insert(raw(("\\%s{%s}{%s}"):format(
-    in_table and "reportedintable" or "reported", by, (by or ""):sub(1, 1))))
-  return result
-end
-
-function span.claim(x, sentence)
-  local condition = x.attributes["if"]
-  local words = sentence:sub(1, 40)
-  local result = inlines(x.content)
-  local holds, why = nil, "a claim needs its condition: if=\"...\""
-  if condition then
-    words = condition
-    holds, why = values.evaluate(condition)
-    if holds ~= nil and type(holds) ~= "boolean" then
-      why = ('"%s" is neither true nor false'):format(condition)
-      holds = nil
-    end
-  end
-  if holds == nil then
-    fault(words, "%s", why)
-  elseif not holds then
-    faults.note(here.source.path, here.source:find(words),
-      'on this machine it does not hold: "%s" (%s)', stringify(result),
-      condition)
-    result:insert(raw("\\doesnothold{}"))
-  end
-  return result
-end
-
-function span.fragment(_, title)
-  local fragment = book.fragments.by_title[title]
-  if not fragment then
-    fault("[" .. title .. "]", 'no fragment is called "%s"', title)
-    return pandoc.Str("?")
-  end
-  return raw(listing.mention(fragment))
-end
-
--- What makeindex would take for its own.
-local function index_safe(text)
-  return (text:gsub('[!@|"]', '"%0'))
-end
-
-function span.index(x, words)
-  local key = x.attributes.key
-  local entry
-  if key then
-    entry = latex.text(key:gsub('[@|"]', '"%0'))
-  elseif words == "" then
-    fault("{.index", "an index entry needs words or a key")
-    return pandoc.List()
-  elseif #x.content == 1 and x.content[1].t == "Code" then
-    entry = index_safe(words) .. "@" ..
-      index_safe(latex.inline_code(words))
-  else
-    entry = latex.text(index_safe(words))
-  end
-  local result = inlines(x.content)
-  result:insert(raw("\\index{" .. entry .. "}"))
-  return result
-end
-
--- On what a table was measured: [ch02-speeds]{.machine}.
-function span.machine(_, name)
-  local parts, why = values.provenance(name)
-  if not parts then
-    fault("[" .. name .. "]", "%s", why)
-    return pandoc.List()
-  end
-  for i, part in ipairs(parts) do
-    local text, is_code = part[1], part[2]
-    text = is_code and latex.inline_code(text) or latex.text(text)
-    parts[i] = i > 1 and not is_code and text:gsub(" ", "~") or text
-  end
-  return raw(table.concat(parts, ", "))
-end
-
--- A paragraph's worth of inlines: its numbers are checked together.
-local function sentences(list)
-  here.source:seek(opening(list))
-  check_numbers(list)
-  return inlines(list)
-end
-
--- ---- blocks -----------------------------------------------------------
-local block, code = {}, {}
 
 -- After a listing, a small letter goes on with the sentence.
 local function goes_on(x, previous)
@@ -431,13 +51,13 @@ end
 
 -- A figure stands near its mention, as large as it was drawn.
 local function figure(image, caption, identifier)
-  local name = image.src
-  here.source:seek("(" .. name .. ")")
+  local name, build = image.src, context.book.job.build
   local words = "(" .. name .. ")"
+  here.source:seek(words)
   if identifier == "" then
     fault(words, "this figure needs a label: {#fig:%s}", name)
   end
-  own_label(identifier, "fig", words)
+  context.own_label(identifier, "fig", words)
   for attribute in pairs(image.attributes) do
     fault(words, 'the attribute "%s" is unknown for a figure', attribute)
   end
@@ -445,16 +65,13 @@ local function figure(image, caption, identifier)
   if not name:match("^[%w-]+$") then
     fault(words, 'a figure is named like its script, without folder and '
       .. 'ending, not "%s"', name)
-  elseif not files.exists(book.job.build .. "/figures/" .. name .. ".pdf")
-  then
-    fault(words, "there is no figure %s.pdf in %s/figures", name,
-      book.job.build)
+  elseif not files.exists(("%s/figures/%s.pdf"):format(build, name)) then
+    fault(words, "there is no figure %s.pdf in %s/figures", name, build)
   else
     plot = "\\plot{" .. name .. "}"
   end
   if #caption == 0 then fault(words, "this figure needs a caption") end
-  check_numbers(caption)
-  local text = inlines(caption)
+  local text = inlines.checked(caption)
   text:insert(1, raw(("\\caption{\\label{%s}"):format(identifier)))
   text:insert(raw("}"))
   return pandoc.List {
@@ -465,7 +82,7 @@ local function figure(image, caption, identifier)
 end
 
 local function paragraph(x)
-  local text = sentences(x.content)
+  local text = inlines.paragraph(x.content)
   text:insert(1, raw(mark(here.source.cursor)))
   x.content = text
   return x
@@ -491,11 +108,11 @@ function block.Figure(x)
 end
 
 function block.Header(x)
-  x.content = sentences(x.content)
+  x.content = inlines.paragraph(x.content)
   local place = mark(here.source.cursor)
   if here.exercise then
     return raw_block(place .. "\\exercisehead{" .. latex.text(
-      stringify(x.content)) .. "}")
+      pandoc.utils.stringify(x.content)) .. "}")
   elseif here.front then
     x.content:insert(1, raw(x.level == 1 and "\\addchap{" or "\\section*{"))
     x.content:insert(raw("}"))
@@ -503,7 +120,12 @@ function block.Header(x)
   elseif x.level == 1 then
     fault(opening(x.content), "a chapter has one title, its first line")
   end
-  own_label(x.identifier, "sec", "#" .. x.identifier)
+  context.own_label(x.identifier, "sec", "#" .. x.identifier)
+  for _, class in ipairs(x.classes) do
+    if class ~= "unnumbered" then
+      fault("." .. class, 'the class "%s" is unknown for a title', class)
+    end
+  end
   return pandoc.List { raw_block(place), x }
 end
 
@@ -521,13 +143,14 @@ end
 
 function block.DefinitionList(x)
   x.content = pandoc.List(x.content):map(function(item)
-    return { sentences(item[1]), pandoc.List(item[2]):map(weave.blocks) }
+    return { inlines.paragraph(item[1]),
+      pandoc.List(item[2]):map(weave.blocks) }
   end)
   return x
 end
 
 function block.LineBlock(x)
-  x.content = pandoc.List(x.content):map(sentences)
+  x.content = pandoc.List(x.content):map(inlines.paragraph)
   return x
 end
 
@@ -547,28 +170,28 @@ end
 
 -- ---- tables -----------------------------------------------------------
 local function caption_of(x)
-  return pandoc.utils.blocks_to_inlines(x.caption.long or x.caption[2])
+  return pandoc.utils.blocks_to_inlines(x.caption.long)
 end
 
 local function cells_woven(x)
   local function row(r)
-    for _, cell in ipairs(r.cells or r[2]) do
-      local content = cell.contents or cell[5]
+    for _, cell in ipairs(r.cells) do
+      local content = cell.contents
       for _, b in ipairs(content) do
         if not b.content or b.t ~= "Plain" and b.t ~= "Para" then
           fault("|", "a cell of a table holds words, nothing else")
         else
-          b.content = sentences(b.content)
+          b.content = inlines.paragraph(b.content)
         end
       end
     end
   end
-  in_table = true
-  for _, r in ipairs(x.head.rows or x.head[2]) do row(r) end
+  context.in_table = true
+  for _, r in ipairs(x.head.rows) do row(r) end
   for _, part in ipairs(x.bodies) do
     for _, r in ipairs(part.body) do row(r) end
   end
-  in_table = false
+  context.in_table = false
   return tables.latex(x)
 end
 
@@ -581,7 +204,7 @@ local function set_table(x, label)
       raw_block("\\end{smalltable}") }
   end
   if #caption == 0 then fault("#" .. label, "this table needs a caption") end
-  caption = sentences(caption)
+  caption = inlines.paragraph(caption)
   local name = label and "\\label{" .. label .. "}" or ""
   caption:insert(1, raw("\\caption{" .. name))
   caption:insert(raw("}"))
@@ -599,7 +222,7 @@ end
 local function labelled_table(x)
   local label = x.identifier
   here.source:seek("#" .. label)
-  own_label(label, "tab", "#" .. label)
+  context.own_label(label, "tab", "#" .. label)
   local result, found = pandoc.List(), 0
   for _, b in ipairs(x.content) do
     if b.t == "Table" then
@@ -647,15 +270,18 @@ function block.Div(x)
   if #x.classes == 0 and x.identifier:match("^tab:") then
     return labelled_table(x)
   end
-  local class = class_of(x, div_attributes, "division",
-    x.classes[1] and "::: " .. x.classes[1] or ":::")
+  local words = "::: " .. (x.classes[1] or "")
+  if not here.source:ahead(words) then
+    words = "::: {." .. (x.classes[1] or "")
+  end
+  local class = class_of(x, div_attributes, "division", words)
   if class == "quick" then
     return quick(x)
   elseif class == "answer" or class == "hint" then
     -- Of an exercise, for the instructor and for `make hint`: checked
     -- with the rest, but not printed.
     if not here.exercise then
-      fault("::: " .. class, class == "hint"
+      fault(words, class == "hint"
         and "a hint belongs into an exercise"
         or "this answer belongs to no question")
     end
@@ -677,11 +303,14 @@ local function check_width(lines, first_line)
   end
 end
 
-function code.fragment(x)
+function code.fragment(x, lines)
   local result = pandoc.List()
-  for _, title in ipairs(files.split(x.text)) do
+  if here.exercise then
+    fault(lines[1], "an exercise shows no fragments")
+  end
+  for _, title in ipairs(lines) do
     title = title:match("^%s*(.-)%s*$")
-    local fragment = book.fragments.by_title[title]
+    local fragment = context.book.fragments.by_title[title]
     local line = here.source:seek_line(title)
     if title == "" then
       -- nothing between two titles
@@ -693,7 +322,6 @@ function code.fragment(x)
         fragment.shown)
     else
       fragment.shown = ("%s:%d"):format(here.source.path, line)
-      fragment.chapter = here.id
       result:insert(raw_block(mark(line) .. listing.fragment(fragment)))
     end
   end
@@ -711,7 +339,7 @@ function code.c(x, lines)
     end
   end
   local given = body and (x.attributes.given or "void") or nil
-  local compiled, line, message = capture.compile(book.job, x.text,
+  local compiled, line, message = capture.compile(context.book.job, x.text,
     here.source.path, first, given)
   if not compiled and not fails then
     faults.add(here.source.path, line, "this does not compile: %s", message)
@@ -730,12 +358,12 @@ function code.output(x)
   end
   local line = here.source:seek('"' .. command .. '"')
   local words = '"' .. command .. '"'
-  local expected = integer(x.attributes.status, words, "status") or 0
-  local shown = integer(x.attributes.lines, words, "lines")
+  local expected = context.integer(x.attributes.status, words, "status") or 0
+  local shown = context.integer(x.attributes.lines, words, "lines")
   if x.text:match("%S") then
     fault(words, "output is captured, not typed: leave the block empty")
   end
-  local lines, status = capture.output(book.job, command)
+  local lines, status = capture.output(context.book.job, command)
   if status ~= expected then
     fault(words, '"%s" ended with status %d, not %d; it said: %s', command,
       status, expected, lines[#lines] or "nothing")
@@ -763,15 +391,12 @@ function block.CodeBlock(x)
 end
 
 -- ---- a whole text -----------------------------------------------------
--- The book that everything woven from now on belongs to.
-function weave.into(the_book)
-  book = the_book
-end
-
 -- Weaves the blocks of one file. `text` has its source, the chapter's
--- id, whether it is an exercise, and collects the answers.
+-- id, whether it is an exercise or the front matter, and collects the
+-- answers.
 function weave.text(text, blocks)
   here = text
+  context.here = text
   return weave.blocks(blocks)
 end
 

@@ -1,0 +1,111 @@
+-- What is being woven: the book, the text at hand, and the place in its
+-- file, for faults and for LaTeX's log.
+local faults = require "faults"
+
+local context = {
+  book = nil,       -- fragments, labels, references, citations, the job
+  here = nil,       -- source, chapter's id, its answers; kind of text
+  in_table = false,
+}
+
+function context.raw(text)
+  return pandoc.RawInline("latex", text)
+end
+
+function context.raw_block(text)
+  return pandoc.RawBlock("latex", text)
+end
+
+-- A fault where these words stand in the file.
+function context.fault(words, sentence, ...)
+  local source = context.here.source
+  faults.add(source.path, source:find(words), sentence, ...)
+end
+
+-- In the log, LaTeX's complaints follow the place they belong to.
+function context.mark(line)
+  return ("\\pressat{%s:%d}"):format(context.here.source.path, line)
+end
+
+-- ---- classes and attributes ---------------------------------------------
+-- The class of an element, if it is one of the known, each of which has
+-- its own set of attributes.
+function context.class_of(element, known, what, words)
+  local class = element.classes[1]
+  if not class then
+    context.fault(words, "this %s has no class", what)
+  elseif not known[class] then
+    context.fault(words, 'the class "%s" is unknown for a %s', class, what)
+    return nil
+  else
+    if element.identifier ~= "" then
+      context.fault(words, 'a %s of class "%s" has no label', what, class)
+    end
+    for name in pairs(element.attributes) do
+      if not known[class][name] then
+        context.fault(words, 'the attribute "%s" is unknown for a %s of '
+          .. 'class "%s"', name, what, class)
+      end
+    end
+  end
+  return class
+end
+
+function context.integer(text, words, what)
+  local n = math.tointeger(tonumber(text))
+  if text and not (n and n >= 0) then
+    context.fault(words, '%s="%s" is not a whole number', what, text)
+  end
+  return n
+end
+
+-- ---- labels and references ----------------------------------------------
+function context.label(label, path, line)
+  local labels = context.book.labels
+  local first = labels[label]
+  if first then
+    faults.add(path, line, 'the label "%s" exists twice, here and at %s:%d',
+      label, first.path, first.line)
+  else
+    labels[label] = { path = path, line = line }
+  end
+end
+
+-- A label that a chapter gives; none is "".
+function context.own_label(label, kind, words)
+  local source = context.here.source
+  if label ~= "" and not label:match("^" .. kind .. ":.") then
+    context.fault(words, 'the label "%s" should begin with "%s:"', label,
+      kind)
+  elseif label ~= "" then
+    context.label(label, source.path, source:find("#" .. label))
+  end
+end
+
+local kinds = {
+  fig = "Figure", tab = "Table", sec = "Section", ch = "Chapter",
+  ex = "Exercise",
+}
+
+-- A reference if the key is one of ours, nil if it is literature.
+function context.reference(label)
+  local kind = kinds[label:match("^(%a+):")]
+  if not kind then return nil end
+  if label:match("^ch:appendix") then kind = "Appendix" end
+  local source = context.here.source
+  table.insert(context.book.references, { label = label,
+    path = source.path, line = source:find("@" .. label) })
+  return context.raw(("\\crossref{%s}{%s}"):format(kind, label))
+end
+
+-- When everything has been read, every label must be there.
+function context.check_references()
+  for _, r in ipairs(context.book.references) do
+    if not context.book.labels[r.label] then
+      faults.add(r.path, r.line, 'there is nothing with the label "%s"',
+        r.label)
+    end
+  end
+end
+
+return context

@@ -1,0 +1,254 @@
+-- What stands in a sentence: code, references, and the spans of
+-- CONTRIBUTING.md, "The prose".
+local context = require "context"
+local faults = require "faults"
+local latex = require "latex"
+local listing = require "listing"
+local values = require "values"
+local words_of = require "words"
+
+local fault, raw = context.fault, context.raw
+
+local inlines = {}
+local inline, span = {}, {}
+
+-- Which spans there are, and which attributes each of them knows.
+local span_attributes = {
+  value = { as = true, digits = true },
+  reported = { by = true },
+  given = {},
+  claim = { ["if"] = true },
+  fragment = {},
+  index = { key = true },
+  machine = {},
+}
+
+local function woven(list)
+  local result = pandoc.List()
+  for _, x in ipairs(list) do
+    local handler = inline[x.t]
+    if handler then
+      local new = handler(x)
+      if new.t then result:insert(new) else result:extend(new) end
+    elseif x.content then
+      x.content = woven(x.content)
+      result:insert(x)
+    else
+      result:insert(x)
+    end
+  end
+  return result
+end
+
+function inline.Code(x)
+  if #x.classes > 0 then
+    fault(x.text, 'the class "%s" is unknown for code in a sentence',
+      x.classes[1])
+  end
+  return raw(latex.inline_code(x.text))
+end
+
+function inline.Cite(x)
+  local result, literature = pandoc.List(), false
+  for _, citation in ipairs(x.citations) do
+    local reference = context.reference(citation.id)
+    if reference then
+      if #result > 0 then result:insert(pandoc.Str(", ")) end
+      result:insert(reference)
+    else
+      literature = true
+      if not context.book.bibliography[citation.id] then
+        fault("@" .. citation.id,
+          'references.bib has no entry "%s"', citation.id)
+      end
+    end
+  end
+  if not literature then return result end
+  if #result > 0 then
+    fault("@" .. x.citations[1].id,
+      "literature and labels cannot share their brackets")
+  end
+  return x
+end
+
+function inline.Image(x)
+  fault("(" .. x.src .. ")", "a figure must be a paragraph of its own")
+  return pandoc.List()
+end
+
+-- A footnote's words are elsewhere in the file than the sentence's.
+function inline.Note(x)
+  local cursor = context.here.source.cursor
+  x.content = require("weave").blocks(x.content)
+  context.here.source.cursor = cursor
+  return x
+end
+
+function inline.RawInline(x)
+  if x.format == "html" and x.text:match("^<!%-%-") then
+    return pandoc.List()
+  end
+  if x.format ~= "tex" and x.format ~= "latex" then
+    fault(x.text, "raw %s cannot be printed", x.format)
+  end
+  return x
+end
+
+function inline.Link(x)
+  x.content = woven(x.content)
+  if x.target:match("^#") then
+    fault(x.target, "refer to %s with @", x.target)
+  end
+  return x
+end
+
+function inline.Span(x)
+  local words = words_of.typed(x.content)
+  local class = context.class_of(x, span_attributes, "span",
+    x.classes[1] and "." .. x.classes[1] or words)
+  if class then return span[class](x, words) end
+  return woven(x.content)
+end
+
+-- The text of a value: plain, but for the space before its unit and an
+-- exponent.
+local function printed(text)
+  local result = pandoc.List()
+  local number, unit = text:match("^(.-)\u{2009}(%D*)$")
+  if number then
+    result:extend { pandoc.Str(number), raw("\\,"), pandoc.Str(unit) }
+  elseif text:find("\u{2009}") then
+    result:insert(raw(latex.text(text)))
+  else
+    result:insert(pandoc.Str(text))
+  end
+  return result
+end
+
+function span.value(x, expression)
+  local words = "[" .. expression .. "]"
+  local value, why = values.evaluate(expression)
+  local text
+  if value ~= nil then
+    text, why = values.format(value, x.attributes.as,
+      context.integer(x.attributes.digits, words, "digits"))
+  end
+  if not text then
+    fault(words, "%s", why)
+    text = "?"
+  end
+  return printed(text)
+end
+
+function span.given(x)
+  return woven(x.content)
+end
+
+function span.reported(x, words)
+  local by = x.attributes.by
+  if not by then
+    fault("[" .. words .. "]", "a reported number needs its source: by=...")
+  elseif not context.book.bibliography[by] then
+    fault("[" .. words .. "]", 'references.bib has no entry "%s"', by)
+  else
+    context.book.cited[by] = true
+  end
+  by = by or "?"
+  local result = woven(x.content)
+  result:insert(raw(("\\%s{%s}{%s}"):format(context.in_table
+    and "reportedintable" or "reported", by, by:sub(1, 1))))
+  return result
+end
+
+function span.claim(x, sentence)
+  local condition = x.attributes["if"]
+  local words = sentence:sub(1, 40)
+  local result = woven(x.content)
+  local holds, why = nil, "a claim needs its condition: if=\"...\""
+  if condition then
+    words = condition
+    holds, why = values.evaluate(condition)
+    if holds ~= nil and type(holds) ~= "boolean" then
+      why = ('"%s" is neither true nor false'):format(condition)
+      holds = nil
+    end
+  end
+  if holds == nil then
+    fault(words, "%s", why)
+  elseif not holds then
+    local source = context.here.source
+    faults.note(source.path, source:find(words),
+      'on this machine it does not hold: "%s" (%s)',
+      pandoc.utils.stringify(result), condition)
+    result:insert(raw("\\doesnothold{}"))
+  end
+  return result
+end
+
+function span.fragment(_, title)
+  local fragment = context.book.fragments.by_title[title]
+  if not fragment then
+    fault("[" .. title .. "]", 'no fragment is called "%s"', title)
+    return pandoc.Str("?")
+  end
+  return raw(listing.mention(fragment))
+end
+
+-- What makeindex would take for its own.
+local function index_safe(text)
+  return (text:gsub('[!@|"]', '"%0'))
+end
+
+function span.index(x, words)
+  local key = x.attributes.key
+  local entry
+  if key then
+    entry = latex.text(key:gsub('[@|"]', '"%0'))
+  elseif words == "" then
+    fault("{.index", "an index entry needs words or a key")
+    return pandoc.List()
+  elseif #x.content == 1 and x.content[1].t == "Code" then
+    entry = words:gsub("[^%w ]", "") .. "@" ..
+      index_safe(latex.inline_code(words))
+  else
+    entry = latex.text(index_safe(words))
+  end
+  local result = woven(x.content)
+  result:insert(raw("\\index{" .. entry .. "}"))
+  return result
+end
+
+-- On what a table was measured: [ch02-speeds]{.machine}.
+function span.machine(_, name)
+  local parts, why = values.provenance(name)
+  if not parts then
+    fault("[" .. name .. "]", "%s", why)
+    return pandoc.List()
+  end
+  for i, part in ipairs(parts) do
+    local text, is_code = part[1], part[2]
+    text = is_code and latex.inline_code(text) or latex.text(text)
+    parts[i] = i > 1 and not is_code and text:gsub(" ", "~") or text
+  end
+  return raw(table.concat(parts, ", "))
+end
+
+-- A paragraph's worth of inlines: its place in the file is found by its
+-- first words, and its numbers are checked.
+function inlines.paragraph(list)
+  context.here.source:seek(words_of.opening(list))
+  return inlines.checked(list)
+end
+
+-- The same, where the file has been found already.
+function inlines.checked(list)
+  for _, number in ipairs(words_of.measured(list)) do
+    fault(number, '"%s" looks like a measurement typed by hand: quote a '
+      .. "table with {.value}, a report with {.reported}, or mark it "
+      .. "{.given}", number)
+  end
+  return woven(list)
+end
+
+return inlines
+
