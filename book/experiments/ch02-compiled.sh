@@ -4,6 +4,7 @@
 # subtractions, multiplications, minima, maxima, and calls through a
 # pointer.
 set -eu
+"$BUILD/ch02/rates" 1 | grep "^#"
 objdump -d --no-show-raw-insn "$BUILD"/plain/ch02-all-pairs/*.o | awk -F '\t' '
     BEGIN {
         print "name\tvector\tscalar\tcalls"

@@ -27,13 +27,21 @@ INLINED void loop(const struct question *question,
 }
 //<
 
-//> Choose by pointer, by flag, by copy
+//> Choose by pointer
 static measure_function *chosen(const struct question *question)
 {
     return question->space.geometry == STANDARD ? measure_standard
                                                 : measure_wraparound;
 }
 
+void pointer_rows(const struct question *question,
+                  struct answers *answers, uint32_t begin, uint32_t end)
+{
+    loop(question, answers, begin, end, chosen(question));
+}
+//<
+
+//> Choose by flag
 static inline void in_either(const struct space *space, double dx,
                              double dy, double result[2])
 {
@@ -43,18 +51,14 @@ static inline void in_either(const struct space *space, double dx,
         in_wraparound(space, dx, dy, result);
 }
 
-void pointer_rows(const struct question *question,
-                  struct answers *answers, uint32_t begin, uint32_t end)
-{
-    loop(question, answers, begin, end, chosen(question));
-}
-
 void flag_rows(const struct question *question, struct answers *answers,
                uint32_t begin, uint32_t end)
 {
     loop(question, answers, begin, end, in_either);
 }
+//<
 
+//> Choose by copy
 INLINED void copies(const enum geometry geometry,
                     const struct question *question,
                     struct answers *answers, uint32_t begin,

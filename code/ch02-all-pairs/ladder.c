@@ -73,10 +73,12 @@ INLINED void split(const enum geometry geometry,
 {
     for (uint32_t i = begin; i < end; i++) {
         struct found found = {INFINITY, 0, i == 0, i == 0};
+        //> Meet those before and those after
         for (uint32_t j = 0; j < i; j++)
             meet(geometry, question, i, j, &found);
         for (uint32_t j = i + 1; j < question->points.n; j++)
             meet(geometry, question, i, j, &found);
+        //<
         write_down(&found, answers, i);
     }
 }
@@ -112,6 +114,7 @@ INLINED void blocks(const enum geometry geometry,
         uint64_t near_block = 0, far_block = 0;
         for (uint64_t block = 0; block < n; block += BLOCK) {
             uint32_t stop = lesser(n, block + BLOCK);
+            //> Sweep a block and see whether it did better
             struct pair before = best;
             sweep(geometry, question, i, block, lesser(stop, i), &best);
             sweep(geometry, question, i, greater(block, i + 1), stop,
@@ -120,6 +123,7 @@ INLINED void blocks(const enum geometry geometry,
                 near_block = block;
             if (best.far2 > before.far2)
                 far_block = block;
+            //<
         }
         look_again(geometry, question, answers, i, best.near2,
                    near_block, best.far2, far_block);
@@ -129,7 +133,7 @@ INLINED void blocks(const enum geometry geometry,
 SPECIALIZE(blocks)
 //<
 
-//> Meet eight candidates at once
+//> Sweep with eight lanes
 INLINED void lane_sweep(const enum geometry geometry,
                         const struct question *question, uint64_t begin,
                         uint64_t end, struct tile *tile)
@@ -138,6 +142,7 @@ INLINED void lane_sweep(const enum geometry geometry,
     const struct space space = question->space;
     struct tile t = *tile;
     uint64_t j = begin;
+    //> Meet eight candidates at once
     for (; j + LANES <= end; j += LANES) {
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
@@ -150,6 +155,7 @@ INLINED void lane_sweep(const enum geometry geometry,
                 pair.far2 > t.far2[lane] ? pair.far2 : t.far2[lane];
         }
     }
+    //<
     //> Give the last few to the first lane
     for (; j < end; j++) {
         struct pair pair =

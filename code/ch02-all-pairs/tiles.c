@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <stdbool.h>
 
-//> Show a candidate to eight points at once
+//> Sweep with a tile
 INLINED void sweep(const enum geometry geometry, const bool hand_over,
                    const struct question *question, uint64_t begin,
                    uint64_t end, struct tile *tile)
@@ -17,6 +17,7 @@ INLINED void sweep(const enum geometry geometry, const bool hand_over,
     const struct space space = question->space;
     const double one = unit;
     struct tile t = *tile; // a copy, so that it may live in registers
+    //> Show a candidate to eight points at once
     for (uint64_t j = begin; j < end; j++) {
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
@@ -31,6 +32,7 @@ INLINED void sweep(const enum geometry geometry, const bool hand_over,
                 pair.far2 > t.far2[lane] ? pair.far2 : t.far2[lane];
         }
     }
+    //<
     *tile = t;
     COUNT(distances, (end - begin) * LANES);
 }
@@ -74,6 +76,7 @@ INLINED void search(const enum geometry geometry, const bool hand_over,
     }
     for (uint64_t block = 0; block < p.n; block += size) {
         uint32_t stop = lesser(p.n, block + size);
+        //> Sweep a block around the tile
         struct tile before = tile;
         sweep(geometry, hand_over, question, block, lesser(stop, i),
               &tile);
@@ -82,6 +85,7 @@ INLINED void search(const enum geometry geometry, const bool hand_over,
         sweep(geometry, hand_over, question, greater(block, i + width),
               stop, &tile);
         tile_note(&before, &tile, block, &found);
+        //<
     }
     for (int lane = 0; lane < width; lane++)
         look_again(geometry, question, answers, i + lane,

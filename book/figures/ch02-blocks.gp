@@ -1,0 +1,12 @@
+# Nanoseconds a pair against the size of a block.
+height = 2.4
+load "book/figures/style.gp"
+table = data . "/ch02-blocks.tsv"
+set logscale x 2
+set xlabel "candidates in a block"
+set ylabel "ns a pair"
+set yrange [0:*]
+set xrange [12:5400]
+set xtics ("16" 16, "64" 64, "256" 256, "1,024" 1024, "4,096" 4096)
+unset key
+plot table using 2:3:4:5 with yerrorbars lt 1, "" using 2:3 with linespoints lt 1

@@ -1,0 +1,22 @@
+# Nearest and furthest distances of 100,000 points in both geometries.
+height = 4.0
+load "book/figures/style.gp"
+table = data . "/ch02-histograms.tsv"
+set style data boxes
+set boxwidth 1 relative
+set style fill solid 0.6 noborder
+unset key
+unset ytics
+set border 1 ls 10
+unset grid
+set multiplot layout 2,2 margins 0.04,0.97,0.08,0.94 spacing 0.08,0.16
+do for [kind = 0:3] {
+  set title (kind == 0 ? "nearest, standard" : kind == 1 ? "furthest, standard" : \
+             kind == 2 ? "nearest, wraparound" : "furthest, wraparound")
+  set xtics auto
+  if (kind % 2 == 0) { set xtics 0.001 }
+  if (kind == 3) { set xtics 0.001 }
+  set yrange [0:*]
+  plot table using (column(2*kind + 1)):(column(2*kind + 2)) lt (kind < 2 ? 1 : 2)
+}
+unset multiplot

@@ -1,0 +1,15 @@
+# Nanoseconds a pair against the number of points.
+load "book/figures/style.gp"
+table = data . "/ch02-sizes.tsv"
+set logscale x 2
+set xlabel "points"
+set ylabel "ns a pair"
+set yrange [0:1.0]
+set key top right
+set xtics ("512" 512, "2,048" 2048, "8,192" 8192, "32,768" 32768, "131,072" 131072)
+plot table using 2:4 with linespoints lt 1 title "one point, eight candidates", \
+     "" using 2:4:5:6 with yerrorbars lt 1 notitle, \
+     "" using 2:7 with linespoints lt 2 title "eight points, one candidate", \
+     "" using 2:7:8:9 with yerrorbars lt 2 dt 1 notitle, \
+     "" using 2:10 with linespoints lt 3 title "and the multipliers subtract", \
+     "" using 2:10:11:12 with yerrorbars lt 3 dt 1 notitle
