@@ -3,11 +3,16 @@
 #   MARCH=native   the processor to build for (x86-64 for any PC)
 #   BUILD=build    where everything generated goes
 #   WERROR=-Werror warnings stop the build, as they do in CI
+#   V=1            shows every command
 
 MARCH  ?= native
 BUILD  ?= build
 WERROR ?=
 LUA    := texlua
+
+# A rule says what it makes, or with V=1 how.
+Q   := $(if $(V),,@)
+say  = @echo "$(1) $@"
 
 # The plainest processor of this machine's family.
 plainest := $(if $(filter x86_64,$(shell uname -m)),x86-64,native)
@@ -49,30 +54,35 @@ counting := $(modules:code/%.c=$(BUILD)/counting/%.o)
 
 $(BUILD)/plain/%.o: code/%.c | $(BUILD)/setup/code
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+	$(call say,compile)
+	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
 
 $(BUILD)/counting/%.o: code/%.c | $(BUILD)/setup/code
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) -DCOUNTING -c $< -o $@
+	$(call say,compile)
+	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -DCOUNTING -c $< -o $@
 
 # A table of measurements says with which flags it was made.
 $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 
 # The counting twin keeps its own names to itself.
 $(BUILD)/counting.o: $(counting)
-	$(CC) -r -nostdlib -o $@.all $^
-	objcopy --keep-global-symbol=counting_algorithms \
+	$(call say,link)
+	$(Q)$(CC) -r -nostdlib -o $@.all $^
+	$(Q)objcopy --keep-global-symbol=counting_algorithms \
 		--keep-global-symbol=counting_take $@.all $@
 	@rm -f $@.all
 
 $(BUILD)/near: $(BUILD)/plain/near.o $(objects) $(BUILD)/counting.o
-	$(CC) $(CFLAGS) $^ -o $@ $(LDLIBS)
+	$(call say,link)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LDLIBS)
 
 define program_rule
 $(call program_of,$(1)): $(1:code/%.c=$(BUILD)/plain/%.o) $$(objects) \
 		$(BUILD)/counting.o
 	@mkdir -p $$(@D)
-	$$(CC) $$(CFLAGS) $$^ -o $$@ $$(LDLIBS)
+	$$(call say,link)
+	$$(Q)$$(CC) $$(CFLAGS) $$^ -o $$@ $$(LDLIBS)
 endef
 $(foreach c,$(mains),$(eval $(call program_rule,$(c))))
 
@@ -82,13 +92,15 @@ test_programs := $(test_folders:%=$(BUILD)/tests/%)
 
 $(BUILD)/plain/tests/%.o: tests/%.c | $(BUILD)/setup/code
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
+	$(call say,compile)
+	$(Q)$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
 
 define test_rule
 $(BUILD)/tests/$(1): $(patsubst %.c,$(BUILD)/plain/%.o,tests/harness.c \
 		$(wildcard tests/$(1)/*.c)) $$(objects) $(BUILD)/counting.o
 	@mkdir -p $$(@D)
-	$$(CC) $$(CFLAGS) $$^ -o $$@ -lcunit $$(LDLIBS)
+	$$(call say,link)
+	$$(Q)$$(CC) $$(CFLAGS) $$^ -o $$@ -lcunit $$(LDLIBS)
 endef
 $(foreach f,$(test_folders),$(eval $(call test_rule,$(f))))
 
@@ -110,16 +122,18 @@ press   := $(shell find book/press book/*.md book/*.bib exercises -type f)
 $(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp \
 		$(wildcard book/data/*.tsv) | $(BUILD)/setup/book
 	@mkdir -p $(@D)
-	gnuplot -e "format = 'pdf'; output = '$@'; data = 'book/data'" $<
+	$(call say,draw)
+	$(Q)gnuplot -e "format = 'pdf'; output = '$@'; data = 'book/data'" $<
 
 $(BUILD)/near-and-far.pdf: $(programs) $(figures) $(press) $(sources) \
 		$(wildcard chapters/*.md code/*.h code/*/*.h book/data/*.tsv) \
 		| $(BUILD)/setup/book
-	BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --build $(BUILD)
+	$(call say,print)
+	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --build $(BUILD)
 
 #: the book's faults, without typesetting it
 check-book: $(programs) $(figures) | $(BUILD)/setup/test
-	BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --check --build $(BUILD)
+	@BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --check --build $(BUILD)
 
 #: the picture in README.md
 picture:
