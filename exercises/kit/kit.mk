@@ -10,7 +10,7 @@ MARCH ?= native
 flags := -std=c17 -g -fPIC -fopenmp -ffp-contract=off -D_GNU_SOURCE \
 	-Wall -Wextra -Wpedantic -Icode -Iexercises/kit
 sanitized := $(flags) -O1 -fno-omit-frame-pointer \
-	-fsanitize=address,undefined -fno-sanitize-recover=all
+	-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 optimized := $(flags) -O3 -march=$(MARCH)
 quick     := $(flags) -O1
 # With hooks for slow_motion.h, if the tests want them.

@@ -5,11 +5,11 @@
 : "${BUILD:=build}"
 export BUILD
 folder=$(mktemp -d) || exit 1
-trap 'rm -rf "$folder"' EXIT
+trap 'rm -rf "$folder" "$BUILD/$folder"' EXIT
 WORK=$folder/work LIMIT=2 TEST="two-points ties" SEED=1
 export WORK LIMIT TEST SEED
 file=$WORK/2.1/nearest-pair.c
-scores=$BUILD/work/2.1/scores.tsv
+scores=$BUILD/$WORK/2.1/scores.tsv
 said=$folder/said
 
 check() {

@@ -17,8 +17,7 @@ static int piece_of(struct ring ring, double r)
 {
     double share = (r * r - ring.inner * ring.inner) /
                    (ring.outer * ring.outer - ring.inner * ring.inner);
-    int piece = (int)(share * PIECES);
-    return piece < 0 ? 0 : piece >= PIECES ? PIECES - 1 : piece;
+    return (int)fmin(fmax(share * PIECES, 0), PIECES - 1);
 }
 
 static double edge_of(struct ring ring, int piece)
@@ -30,8 +29,8 @@ static double edge_of(struct ring ring, int piece)
 
 static int eighth_of(double x, double y)
 {
-    int eighth = (int)((atan2(y, x) / acos(-1) + 1) * 4);
-    return eighth < 0 ? 0 : eighth > 7 ? 7 : eighth;
+    double eighths = (atan2(y, x) / acos(-1) + 1) * 4;
+    return (int)fmin(fmax(eighths, 0), 7);
 }
 
 static struct points ask(struct ring ring, uint32_t n, uint64_t seed)
