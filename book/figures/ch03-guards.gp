@@ -1,6 +1,7 @@
 # What each guard costs: nanoseconds an ordered pair, on one thread and on
 # all processors.
 # demo: plot
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch03-guards.tsv"
 set logscale y

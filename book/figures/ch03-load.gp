@@ -1,5 +1,6 @@
 # The share of the pairs that each of ten threads gets under three static
 # schedules.
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch03-load.tsv"
 set xlabel "thread"

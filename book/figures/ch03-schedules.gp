@@ -1,5 +1,6 @@
 # The time of the triangular loop with private answers, by schedule and
 # chunk, with quartiles.
+height = 2.3
 load "book/figures/style.gp"
 table = data . "/ch03-schedules.tsv"
 set logscale x 2

@@ -1,5 +1,6 @@
 # How many times faster than the serial naive search each version is, in
 # both geometries, and beside it what the coursework reports.
+height = 2.9
 load "book/figures/style.gp"
 table = data . "/ch03-speed.tsv"
 $coursework << END
@@ -7,7 +8,7 @@ version	standard	wraparound	standard_parallel	wraparound_parallel
 0	103.8	315.0	12.91	38.73
 1	76.70	174.8	10.98	23.48
 END
-set multiplot layout 1,2 margins 0.09,0.95,0.2,0.9 spacing 0.06
+set multiplot layout 1,2 margins 0.09,0.95,0.19,0.79 spacing 0.06
 set logscale y 2
 set yrange [0.5:24]
 set xrange [-0.6:4.6]
@@ -31,7 +32,7 @@ plot table using 0:(STATS_max / of("standard", "serial_ns")) \
 set title "wraparound"
 unset ylabel
 set format y ""
-set key bottom right
+set key at screen 0.52,0.99 center top horizontal maxrows 2 samplen 1
 stats table using (of("wraparound_naive", "serial_ns")) nooutput
 plot table using ($0 - 5):(STATS_max / of("wraparound", "serial_ns")) \
        with points ps 0.9 title "one thread", \

@@ -9,7 +9,7 @@ if (!exists("height")) height = 2.9
 width = 4.7
 
 if (format eq "pdf") set terminal pdfcairo size width,height \
-  font "TeX Gyre Pagella,9" fontscale 1 linewidth 1 rounded
+  font "TeX Gyre Pagella,9" fontscale 0.75 linewidth 1 rounded
 if (format eq "svg") set terminal svg size width*110,height*110 \
   font "serif,12" background "white" dynamic
 if (format eq "png") set terminal pngcairo size width*200,height*200 \

@@ -55,7 +55,9 @@ void triangle_private(const struct question *question,
     }
     free(own);
 }
+//<
 
+//> Give the private answers their schedule
 void triangle_reduction(const struct question *question,
                         struct answers *answers)
 {
