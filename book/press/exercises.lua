@@ -60,9 +60,9 @@ function exercises.read(job, chapter, path)
     ("\\pressat{%s:1}\\exercise{%s}{%s}{%s}{%d}{%d}{%d}{%s}"):format(path,
       full, label, latex.text(title), stars, minutes, points,
       programmed and "programmed" or "on paper")))
-  if programmed then
-    blocks:insert(raw_block("\\tryexercise{" .. full .. "}"))
-  end
+  blocks:insert(raw_block(("\\tryexercise{%s}{%s}"):format(
+    doc.meta.needs and latex.text(stringify(doc.meta.needs)) or "",
+    programmed and full or "")))
   return blocks, ("\\exerciseline{%s}{%s}{%s}{%d}{%d}"):format(full, label,
     latex.text(title), stars, minutes)
 end

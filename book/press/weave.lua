@@ -8,7 +8,6 @@ local files = require "files"
 local fragments = require "fragments"
 local inlines = require "inlines"
 local listing = require "listing"
-local latex = require "latex"
 local tables = require "tables"
 local words_of = require "words"
 
@@ -107,26 +106,39 @@ function block.Figure(x)
     identifier)
 end
 
+-- Titles: of the front matter, of chapters, without a number.
+local titles = {
+  front = { "addchap", "section*", "subsection*" },
+  numbered = { false, "section", "subsection", "subsubsection" },
+  unnumbered = { false, "section*", "subsection*", "subsubsection*" },
+}
+
 function block.Header(x)
-  x.content = inlines.paragraph(x.content)
-  local place = mark(here.source.cursor)
-  if here.exercise then
-    return raw_block(place .. "\\exercisehead{" .. latex.text(
-      pandoc.utils.stringify(x.content)) .. "}")
-  elseif here.front then
-    x.content:insert(1, raw(x.level == 1 and "\\addchap{" or "\\section*{"))
-    x.content:insert(raw("}"))
-    return pandoc.List { raw_block(place), pandoc.Plain(x.content) }
-  elseif x.level == 1 then
-    fault(opening(x.content), "a chapter has one title, its first line")
-  end
-  context.own_label(x.identifier, "sec", "#" .. x.identifier)
+  local kind = "numbered"
   for _, class in ipairs(x.classes) do
-    if class ~= "unnumbered" then
+    if class == "unnumbered" then
+      kind = class
+    else
       fault("." .. class, 'the class "%s" is unknown for a title', class)
     end
   end
-  return pandoc.List { raw_block(place), x }
+  local text = inlines.paragraph(x.content)
+  local place = mark(here.source.cursor)
+  local command = here.exercise and "exercisehead"
+    or titles[here.front and "front" or kind][x.level]
+  if not command then
+    fault(opening(x.content), x.level == 1
+      and "a chapter has one title, its first line"
+      or "titles are not nested so deeply")
+    return pandoc.List()
+  end
+  text:insert(1, raw(place .. "\\" .. command .. "{"))
+  text:insert(raw("}"))
+  if x.identifier ~= "" then
+    context.own_label(x.identifier, "sec", "#" .. x.identifier)
+    text:insert(raw("\\label{" .. x.identifier .. "}"))
+  end
+  return pandoc.Plain(text)
 end
 
 local function lists(x)
