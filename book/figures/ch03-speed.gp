@@ -8,17 +8,17 @@ version	standard	wraparound	standard_parallel	wraparound_parallel
 0	103.8	315.0	12.91	38.73
 1	76.70	174.8	10.98	23.48
 END
-set multiplot layout 1,2 margins 0.09,0.95,0.19,0.79 spacing 0.06
+set multiplot layout 1,2 margins 0.09,0.95,0.19,0.78 spacing 0.06
 set logscale y 2
 set yrange [0.5:24]
 set xrange [-0.6:4.6]
-set xtics ("naive" 0, "triangle" 1, "private" 2, "tiles" 3, "half tiles" 4) \
+set xtics ("naive" 0, "triangle" 1, "reduction" 2, "tiles" 3, "half tiles" 4) \
   rotate by -30
 of(name, k) = strcol(1)[1:strlen(name)] eq name ? column(k) : NaN
 
 set title "standard"
 unset key
-set ylabel "times faster than naive on one thread" offset 1
+set ylabel "times faster than naive on one thread" offset 1.5
 stats table using (of("standard_naive", "serial_ns")) nooutput
 plot table using 0:(STATS_max / of("standard", "serial_ns")) \
        with points ps 0.9, \
@@ -32,7 +32,7 @@ plot table using 0:(STATS_max / of("standard", "serial_ns")) \
 set title "wraparound"
 unset ylabel
 set format y ""
-set key at screen 0.52,0.99 center top horizontal maxrows 2 samplen 1
+set key at screen 0.52,0.99 center top vertical maxrows 2 samplen 1
 stats table using (of("wraparound_naive", "serial_ns")) nooutput
 plot table using ($0 - 5):(STATS_max / of("wraparound", "serial_ns")) \
        with points ps 0.9 title "one thread", \
