@@ -4,6 +4,7 @@ local context = require "context"
 local faults = require "faults"
 local latex = require "latex"
 local listing = require "listing"
+local numbers = require "numbers"
 local values = require "values"
 local words_of = require "words"
 
@@ -23,11 +24,20 @@ local span_attributes = {
   machine = {},
 }
 
+-- Between a number and its unit no line ends.
+local function is_tie(list, i)
+  local before, after = list[i - 1], list[i + 1]
+  return list[i].t == "Space" and before and before.t == "Span"
+    and after and after.t == "Str" and numbers.is_unit(after.text)
+end
+
 local function woven(list)
   local result = pandoc.List()
-  for _, x in ipairs(list) do
+  for i, x in ipairs(list) do
     local handler = inline[x.t]
-    if handler then
+    if is_tie(list, i) then
+      result:insert(raw("~"))
+    elseif handler then
       local new = handler(x)
       if new.t then result:insert(new) else result:extend(new) end
     elseif x.content then

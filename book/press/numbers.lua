@@ -17,6 +17,10 @@ for unit in ([[
   units[unit] = true
 end
 
+function numbers.is_unit(word)
+  return units[(word:gsub("µ", "u"):gsub("[.,;:)]+$", ""))] == true
+end
+
 local compared = {}
 for word in ("faster slower as more fewer less longer"):gmatch("%S+") do
   compared[word] = true
