@@ -1,5 +1,5 @@
 # Nanoseconds a pair against the size of a block.
-height = 2.4
+height = 1.9
 load "book/figures/style.gp"
 table = data . "/ch02-blocks.tsv"
 set logscale x 2

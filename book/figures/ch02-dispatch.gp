@@ -1,5 +1,5 @@
 # The geometry by pointer, by flag and by copy, in two loops.
-height = 2.7
+height = 2.3
 load "book/figures/style.gp"
 table = data . "/ch02-dispatch.tsv"
 set style data histogram

@@ -1,4 +1,5 @@
 # The mean nearest distance against the number of points.
+height = 2.3
 load "book/figures/style.gp"
 table = data . "/ch02-growth.tsv"
 set logscale x

@@ -1,5 +1,5 @@
 # Nearest and furthest distances of 100,000 points in both geometries.
-height = 4.0
+height = 3.3
 load "book/figures/style.gp"
 table = data . "/ch02-histograms.tsv"
 set style data boxes

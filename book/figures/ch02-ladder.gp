@@ -1,6 +1,6 @@
 # Nanoseconds a pair at every step of the ladder, and the limits.
 # demo: plot
-height = 3.0
+height = 2.6
 load "book/figures/style.gp"
 table = data . "/ch02-ladder.tsv"
 limit(row, column) = system(sprintf("awk -F '\t' '$1 == \"%s\" { print $%d }' %s", row, column, table))

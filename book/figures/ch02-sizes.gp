@@ -1,4 +1,5 @@
 # Nanoseconds a pair against the number of points.
+height = 2.3
 load "book/figures/style.gp"
 table = data . "/ch02-sizes.tsv"
 set logscale x 2

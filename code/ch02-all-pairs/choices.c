@@ -42,6 +42,7 @@ void pointer_rows(const struct question *question,
 //<
 
 //> Choose by flag
+//> Test the flag for every pair
 static inline void in_either(const struct space *space, double dx,
                              double dy, double result[2])
 {
@@ -50,6 +51,7 @@ static inline void in_either(const struct space *space, double dx,
     else
         in_wraparound(space, dx, dy, result);
 }
+//<
 
 void flag_rows(const struct question *question, struct answers *answers,
                uint32_t begin, uint32_t end)

@@ -23,7 +23,9 @@ void measure_pow(const struct space *space, double dx, double dy,
     (void)space;
     result[0] = result[1] = pow(dx, 2.0) + pow(dy, 2.0);
 }
+//<
 
+//> Square with an exponent out of sight
 static volatile double exponent = 2.0;
 
 void measure_hidden(const struct space *space, double dx, double dy,
@@ -45,6 +47,7 @@ void first_search(const struct question *question,
     for (uint32_t i = begin; i < end; i++) {
         uint32_t nearest = i == 0, furthest = i == 0;
         double nearest2 = INFINITY, furthest2 = 0;
+        //> Ask everyone through the pointer
         for (uint32_t j = 0; j < p.n; j++) {
             if (j == i)
                 continue;
@@ -59,6 +62,7 @@ void first_search(const struct question *question,
                 furthest = j;
             }
         }
+        //<
         //> Write the answers of a row down
         answers->nearest[i] = nearest;
         answers->nearest2[i] = nearest2;

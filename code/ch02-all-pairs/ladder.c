@@ -47,7 +47,9 @@ INLINED void meet(const enum geometry geometry,
         in_wraparound(&question->space, dx, dy, result);
     keep(found, result, j);
 }
+//<
 
+//> Search with a distance in sight
 INLINED void inlined(const enum geometry geometry,
                      const struct question *question,
                      struct answers *answers, uint32_t begin,
@@ -125,8 +127,8 @@ INLINED void blocks(const enum geometry geometry,
                 far_block = block;
             //<
         }
-        look_again(geometry, question, answers, i, best.near2,
-                   near_block, best.far2, far_block);
+        answer(geometry, question, answers, i, best.near2, near_block,
+               best.far2, far_block);
     }
 }
 
@@ -205,8 +207,8 @@ INLINED void lanes(const enum geometry geometry,
                 far = lane;
         }
         //<
-        look_again(geometry, question, answers, i, tile.near2[near],
-                   found.near[near], tile.far2[far], found.far[far]);
+        answer(geometry, question, answers, i, tile.near2[near],
+               found.near[near], tile.far2[far], found.far[far]);
     }
 }
 

@@ -24,8 +24,10 @@ static void running(void *context)
 {
     struct sample *sample = context;
     double mean = 0;
+    //> Update the mean
     for (uint32_t i = 0; i < sample->n; i++)
         mean = (mean * i + sample->values[i]) / (double)(i + 1);
+    //<
     sample->mean = mean;
 }
 //<
@@ -46,9 +48,11 @@ static void summed(void *context)
 {
     struct sample *sample = context;
     double sum = 0;
+    //> Add up, divide once
     for (uint32_t i = 0; i < sample->n; i++)
         sum += sample->values[i];
     sample->mean = sum / sample->n;
+    //<
 }
 //<
 

@@ -6,6 +6,7 @@
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "common/count.h"
+#include <stdbool.h>
 
 enum { LANES = 8, BLOCK = 256 };
 
@@ -56,24 +57,31 @@ static inline void tile_note(const struct tile *before,
 //<
 
 //> Look again for the index
-INLINED void look_again(const enum geometry geometry,
-                        const struct question *question,
-                        struct answers *answers, uint32_t i,
-                        double near2, uint64_t near_block, double far2,
-                        uint64_t far_block)
+INLINED uint64_t look_again(const enum geometry geometry,
+                            const struct question *question, uint32_t i,
+                            uint64_t j, bool far, double distance2)
 {
     const struct points p = question->points;
-    const struct space space = question->space;
-    uint64_t j = near_block, k = far_block;
-    while (j == i ||
-           pair2(geometry, space, p.x[j] - p.x[i], p.y[j] - p.y[i])
-                   .near2 != near2)
-        j++;
-    while (
-        k == i ||
-        pair2(geometry, space, p.x[k] - p.x[i], p.y[k] - p.y[i]).far2 !=
-            far2)
-        k++;
+    for (;; j++) {
+        struct pair pair = pair2(geometry, question->space,
+                                 p.x[j] - p.x[i], p.y[j] - p.y[i]);
+        if (j != i && (far ? pair.far2 : pair.near2) == distance2)
+            return j;
+    }
+}
+//<
+
+//> Answer from distances and blocks
+INLINED void answer(const enum geometry geometry,
+                    const struct question *question,
+                    struct answers *answers, uint32_t i, double near2,
+                    uint64_t near_block, double far2,
+                    uint64_t far_block)
+{
+    uint64_t j =
+        look_again(geometry, question, i, near_block, false, near2);
+    uint64_t k =
+        look_again(geometry, question, i, far_block, true, far2);
     answers->nearest[i] = (uint32_t)j;
     answers->nearest2[i] = near2;
     answers->furthest[i] = (uint32_t)k;

@@ -4,7 +4,6 @@
 #include "ch02-all-pairs/difference.h"
 #include "ch02-all-pairs/tile.h"
 #include <assert.h>
-#include <stdbool.h>
 
 //> Sweep with a tile
 INLINED void sweep(const enum geometry geometry, const bool hand_over,
@@ -88,9 +87,8 @@ INLINED void search(const enum geometry geometry, const bool hand_over,
         //<
     }
     for (int lane = 0; lane < width; lane++)
-        look_again(geometry, question, answers, i + lane,
-                   tile.near2[lane], found.near[lane], tile.far2[lane],
-                   found.far[lane]);
+        answer(geometry, question, answers, i + lane, tile.near2[lane],
+               found.near[lane], tile.far2[lane], found.far[lane]);
 }
 //<
 
