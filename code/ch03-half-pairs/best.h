@@ -22,8 +22,7 @@ struct bests {
 };
 //<
 
-// All keys at their worst, with the index that the answer has if
-// nothing better comes. Ended by bests_free.
+// All keys at their worst, without an index. Ended by bests_free.
 struct bests bests_begin(uint32_t n);
 void bests_free(struct bests *bests);
 

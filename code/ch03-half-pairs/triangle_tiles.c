@@ -128,10 +128,9 @@ INLINED void share(const enum geometry geometry,
     }
 #pragma omp for
     for (uint32_t i = 0; i < n; i++)
-        look_again(geometry, question, answers, i, bests.near[i].key,
-                   bests.near[i].index * (uint64_t)SIDE,
-                   -bests.far[i].key,
-                   bests.far[i].index * (uint64_t)SIDE);
+        answer(geometry, question, answers, i, bests.near[i].key,
+               bests.near[i].index * (uint64_t)SIDE, -bests.far[i].key,
+               bests.far[i].index * (uint64_t)SIDE);
 }
 //<
 
