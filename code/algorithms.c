@@ -19,20 +19,19 @@
 //> Give every algorithm its row
 const struct algorithm TABLE[] = {
     {"naive", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
-     "every other point, as plainly as can be", naive},
+     "every pair, plainly", naive},
     {"triangle", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2/2",
-     "every distance once, on one thread", triangle},
+     "every pair once", triangle},
     {"triangle-critical", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "threads queue to change a best", triangle_critical},
+     "n^2/2", "guarded by one lock", triangle_critical},
     {"triangle-atomic", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "every best is its own lock", triangle_atomic},
+     "n^2/2", "every best its own lock", triangle_atomic},
     {"triangle-reduction", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "answers of its own for every thread",
-     triangle_reduction},
+     "n^2/2", "answers for each thread", triangle_reduction},
     {"tiles", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
-     "eight points at a time meet every other", tiles},
+     "eight points at a time", tiles},
     {"triangle-tiles", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "half the pairs in tiles, on vectors", triangle_tiles},
+     "n^2/2", "half the pairs in tiles", triangle_tiles},
 };
 //<
 

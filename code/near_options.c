@@ -65,17 +65,17 @@ static const char *names_of_answers(unsigned set)
 
 void print_list(void)
 {
-    printf("%-20s %-7s %-10s %-8s %-8s %s\n", "algorithm", "chapter",
+    printf("%-18s %2s %-10s %-8s %-5s %s\n", "algorithm", "ch",
            "geometry", "answers", "cost", "what it does");
     for (int row = 0; row < algorithm_count; row++) {
         const struct algorithm *a = &algorithms[row];
-        printf("%-20s %-7d %-10s %-8s %-8s %s\n", a->name, a->chapter,
+        printf("%-18s %2d %-10s %-8s %-5s %s\n", a->name, a->chapter,
                names_of_geometries(a->geometries),
                names_of_answers(a->answers), a->cost, a->about);
     }
     printf("\n%s\n", "distribution");
     for (int row = 0; row < distribution_count; row++)
-        printf("%-20s %s\n", distributions[row].name,
+        printf("%-18s %s\n", distributions[row].name,
                distributions[row].about);
 }
 //<
