@@ -1,4 +1,3 @@
 #!/bin/sh
 # The geometry by pointer, by flag and by copy: ns a pair
-# demo: table
 exec "$BUILD/ch02/dispatch" ${FULL:+20000 1600 15}

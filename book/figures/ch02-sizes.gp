@@ -1,11 +1,11 @@
 # Nanoseconds a pair against the number of points.
-height = 2.3
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch02-sizes.tsv"
 set logscale x 2
 set xlabel "points"
 set ylabel "ns a pair"
-set yrange [0:1.0]
+set yrange [0:1.1]
 set key top right
 set xtics ("512" 512, "2,048" 2048, "8,192" 8192, "32,768" 32768, "131,072" 131072)
 plot table using 2:4 with linespoints lt 1 title "one point, eight candidates", \
