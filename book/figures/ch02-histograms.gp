@@ -9,7 +9,7 @@ unset key
 unset ytics
 set border 1 ls 10
 unset grid
-set multiplot layout 2,2 margins 0.04,0.97,0.08,0.94 spacing 0.08,0.16
+set multiplot layout 2,2 margins 0.04,0.97,0.08,0.94 spacing 0.08,0.2
 do for [kind = 0:3] {
   set title (kind == 0 ? "nearest, standard" : kind == 1 ? "furthest, standard" : \
              kind == 2 ? "nearest, wraparound" : "furthest, wraparound")
