@@ -48,16 +48,29 @@ $(BUILD)/setup/%: setup
 	@CC="$(CC)" ./setup $*
 	@mkdir -p $(@D) && touch $@
 
+# A level of tools stands on the one before.
+$(BUILD)/setup/test: | $(BUILD)/setup/code
+$(BUILD)/setup/book: | $(BUILD)/setup/test
+$(BUILD)/setup/check: | $(BUILD)/setup/test
+
+# Other flags, another compiler: everything is compiled anew.
+flags := $(CC) $(filter-out -Werror,$(CPPFLAGS) $(CFLAGS))
+ifeq ($(filter help clean,$(MAKECMDGOALS)),)
+ifneq ($(flags),$(shell cat $(BUILD)/flags 2>/dev/null))
+$(shell mkdir -p $(BUILD) && echo '$(flags)' > $(BUILD)/flags)
+endif
+endif
+
 # ---- modules, twice: as they are, and counting ---------------------
 objects  := $(modules:code/%.c=$(BUILD)/plain/%.o)
 counting := $(modules:code/%.c=$(BUILD)/counting/%.o)
 
-$(BUILD)/plain/%.o: code/%.c | $(BUILD)/setup/code
+$(BUILD)/plain/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	@mkdir -p $(@D)
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
 
-$(BUILD)/counting/%.o: code/%.c | $(BUILD)/setup/code
+$(BUILD)/counting/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	@mkdir -p $(@D)
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -DCOUNTING -c $< -o $@
@@ -66,12 +79,16 @@ $(BUILD)/counting/%.o: code/%.c | $(BUILD)/setup/code
 $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 
 # The counting twin keeps its own names to itself.
+twin := counting_algorithms counting_take
 $(BUILD)/counting.o: $(counting)
 	$(call say,link)
+ifeq ($(shell uname),Darwin)
+	$(Q)$(CC) -r -nostdlib $(twin:%=-Wl,-exported_symbol,_%) -o $@ $^
+else
 	$(Q)$(CC) -r -nostdlib -o $@.all $^
-	$(Q)objcopy --keep-global-symbol=counting_algorithms \
-		--keep-global-symbol=counting_take $@.all $@
+	$(Q)objcopy $(twin:%=--keep-global-symbol=%) $@.all $@
 	@rm -f $@.all
+endif
 
 $(BUILD)/near: $(BUILD)/plain/near.o $(objects) $(BUILD)/counting.o
 	$(call say,link)
@@ -90,7 +107,7 @@ $(foreach c,$(mains),$(eval $(call program_rule,$(c))))
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)
 
-$(BUILD)/plain/tests/%.o: tests/%.c | $(BUILD)/setup/code
+$(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	@mkdir -p $(@D)
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
@@ -205,7 +222,8 @@ help:
 	  text != "" { split($$0, a, ":"); printf "  %-14s %s\n", a[1], text; text = "" }' \
 	  Makefile
 
--include $(patsubst %.o,%.d,$(objects) $(counting)) $(wildcard $(BUILD)/plain/*/*.d $(BUILD)/plain/*/*/*.d)
+-include $(wildcard $(patsubst %,$(BUILD)/%.d,plain/* plain/*/* plain/*/*/* \
+	counting/* counting/*/*))
 
 .PHONY: all programs test test-all check-book picture chapterN measure measureN
 .PHONY: $(exercises) exerciseN.K check-race check-memory format clean help

@@ -45,7 +45,8 @@ static struct points get_points(const struct options *options)
     if (points.n < 2)
         fail("%s: expected at least two points, found one, which has "
              "no neighbor",
-             options->file);
+             strcmp(options->file, "-") == 0 ? "standard input"
+                                             : options->file);
     return points;
 }
 //<
@@ -74,7 +75,7 @@ static struct space get_space(const struct options *options,
                               struct points points)
 {
     static const double unit_square[4] = {0, 0, 1, 1};
-    const double *box = options->box ? options->box : unit_square;
+    const double *box = options->has_box ? options->box : unit_square;
     if (options->geometry == WRAPAROUND)
         for (uint32_t i = 0; i < points.n; i++)
             if (points.x[i] < box[0] || points.x[i] > box[2] ||
@@ -155,8 +156,11 @@ static struct summary answer(const struct algorithm *algorithm,
                              struct answers *answers)
 {
     struct counts counts = {0};
-    if (options->timing)
+    if (options->timing) {
+        progress_start("counting", 0);
         counts = count_operations(algorithm, question, answers);
+        progress_stop();
+    }
     double *times = allocate(options->trials, sizeof *times);
     for (int trial = 0; trial < options->trials; trial++) {
         double build;

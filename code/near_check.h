@@ -1,7 +1,7 @@
 //> Declare the check of the answers
 // Compares answers with a search of its own that looks at every pair in
 // the plainest way and shares nothing with the algorithms but the
-// distance. n (n-1) distances.
+// distance. 2 n^2 distances.
 #pragma once
 #include "common/question.h"
 

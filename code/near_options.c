@@ -86,9 +86,9 @@ static double parse_count(const char *option, const char *text,
 {
     char *end;
     double number = strtod(text, &end);
-    if (!isdigit((unsigned char)*text) || tolower(text[1]) == 'x' ||
-        *end || number != floor(number) || number < least ||
-        number > most)
+    if (!isdigit((unsigned char)*text) ||
+        tolower((unsigned char)text[1]) == 'x' || *end ||
+        number != floor(number) || number < least || number > most)
         fail("%s: expected a whole number from %.0f to %.0f, found "
              "\"%s\"",
              option, least, most, text);
@@ -137,16 +137,14 @@ static struct columns parse_columns(const char *text)
 //<
 
 //> Take a box
-static const double *parse_box(const char *text)
+static void parse_box(double box[static 4], const char *text)
 {
-    static double box[4];
     if (!parse_numbers(text, box, 4) || !(box[0] < box[2]) ||
         !(box[1] < box[3]) || !isfinite(box[2] - box[0]) ||
         !isfinite(box[3] - box[1]))
         fail("--box: expected X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1 and "
              "finite sides, found \"%s\"",
              text);
-    return box;
 }
 //<
 
@@ -213,7 +211,8 @@ static void take_option(struct options *options, int option,
         options->columns = parse_columns(optarg);
         break;
     case BOX:
-        options->box = parse_box(optarg);
+        parse_box(options->box, optarg);
+        options->has_box = true;
         break;
     case TIMING:
         options->timing = true;
@@ -248,7 +247,7 @@ static void check_options(const struct options *o, bool generating)
              "see near --help");
     if (o->columns.x && !o->file)
         fail("--columns is for points from a file");
-    if (o->box && o->geometry != WRAPAROUND)
+    if (o->has_box && o->geometry != WRAPAROUND)
         fail("--box is for -g wraparound");
     if (o->algorithm && !(o->algorithm->geometries & o->geometry))
         fail("%s does not know the %s geometry; see near --list",

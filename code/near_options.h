@@ -15,7 +15,8 @@ struct options {
     uint64_t seed;
     const struct algorithm *algorithm; // NULL: the fastest
     enum geometry geometry;
-    const double *box; // x0, y0, x1, y1; NULL: the unit square
+    bool has_box;
+    double box[4]; // x0, y0, x1, y1, if it has one
     int threads, trials;
     const char *output; // file for the answers, "-": standard output
     bool timing, check, list, help;

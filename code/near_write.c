@@ -34,12 +34,16 @@ static void abandon_and_die(int signal)
     raise(signal);
 }
 
+// A signal that somebody chose to ignore, as nohup does, stays so.
 static void abandon_on_signals(void)
 {
-    struct sigaction action = {.sa_handler = abandon_and_die};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = abandon_and_die}, old;
+    for (int k = 0; k < 3; k++) {
+        sigaction(signals[k], NULL, &old);
+        if (old.sa_handler != SIG_IGN)
+            sigaction(signals[k], &action, NULL);
+    }
 }
 //<
 

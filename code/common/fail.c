@@ -1,8 +1,7 @@
 //> Fail in one place
-// The program's name and what to clean up are the only state in the
-// book that is not passed as an argument: fail must work from anywhere.
-// There is one such state in a program, so the counting twin has none
-// of its own and uses this one.
+// The program's name and what to clean up are not passed as arguments,
+// because fail must work from anywhere. A program has one of each, so
+// the counting twin has none of its own and uses these.
 #include "fail.h"
 #include <stdarg.h>
 #include <stdint.h>

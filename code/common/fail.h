@@ -4,7 +4,7 @@
 #pragma once
 #include <stddef.h>
 
-// Prints "PROGRAM: " and the sentence; first runs the cleanup that was
+// Prints "PROGRAM: " and the sentence, and runs the cleanup that was
 // registered, so that nothing half written stays behind.
 _Noreturn void fail(const char *format, ...)
     __attribute__((format(printf, 1, 2)));

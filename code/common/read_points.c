@@ -112,7 +112,8 @@ static bool read_number(const char *field, char separator,
                         double *number)
 {
     char *end;
-    if (!field || tolower(field[strspn(field, "+-0")]) == 'x')
+    if (!field ||
+        tolower((unsigned char)field[strspn(field, "+-0")]) == 'x')
         return false;
     *number = strtod(field, &end);
     if (end == field)
@@ -131,7 +132,7 @@ static void add_point(struct reader *reader, double x, double y)
         fail("%s:%zu: expected at most %" PRIu32 " points, found more",
              reader->name, reader->number, UINT32_MAX);
     if (points->n == reader->capacity) {
-        uint32_t more = points->n < UINT32_MAX / 2
+        uint32_t more = points->n < (UINT32_MAX - 1000) / 2
                             ? 2 * points->n + 1000
                             : UINT32_MAX;
         struct points larger = points_allocate(more);
