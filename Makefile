@@ -3,6 +3,7 @@
 #   MARCH=native   the processor to build for (x86-64 for any PC)
 #   BUILD=build    where everything generated goes
 #   WERROR=-Werror warnings stop the build, as they do in CI
+#   TESTS="..."    the folders of tests/ to run, if not all
 #   V=1            shows every command
 
 MARCH  ?= native
@@ -105,6 +106,7 @@ $(foreach c,$(mains),$(eval $(call program_rule,$(c))))
 
 # ---- tests ---------------------------------------------------------
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
+TESTS         ?= $(patsubst tests/%/.,%,$(wildcard tests/*/.))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)
 
 $(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
@@ -123,7 +125,7 @@ $(foreach f,$(test_folders),$(eval $(call test_rule,$(f))))
 
 #: every test: programs, command line, press, exercises
 test: $(programs) $(test_programs) | $(BUILD)/setup/test
-	@BUILD=$(BUILD) CC="$(CC)" tests/run $(patsubst tests/%/.,%,$(wildcard tests/*/.))
+	@BUILD=$(BUILD) CC="$(CC)" tests/run $(TESTS)
 
 #: the tests with gcc and clang, and on the plainest processor, as CI
 test-all: | $(BUILD)/setup/check
