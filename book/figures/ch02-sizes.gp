@@ -7,10 +7,11 @@ set xlabel "points"
 set ylabel "ns a pair"
 set yrange [0:1.1]
 set key top right
-set xtics ("512" 512, "2,048" 2048, "8,192" 8192, "32,768" 32768, "131,072" 131072)
-plot table using 2:4 with linespoints lt 1 title "one point, eight candidates", \
+set xrange [450:300000]
+set xtics ("1,024" 1024, "4,096" 4096, "16,384" 16384, "65,536" 65536, "262,144" 262144)
+plot table using 2:4 with linespoints lt 1 title "lanes: one point, eight candidates", \
      "" using 2:4:5:6 with yerrorbars lt 1 notitle, \
-     "" using 2:7 with linespoints lt 2 title "eight points, one candidate", \
+     "" using 2:7 with linespoints lt 2 title "queries: eight points, one candidate", \
      "" using 2:7:8:9 with yerrorbars lt 2 dt 1 notitle, \
-     "" using 2:10 with linespoints lt 3 title "and the multipliers subtract", \
+     "" using 2:10 with linespoints lt 3 title "tiles: and the multipliers subtract", \
      "" using 2:10:11:12 with yerrorbars lt 3 dt 1 notitle
