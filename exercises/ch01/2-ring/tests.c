@@ -111,7 +111,7 @@ static const char *area_cause(struct ring ring, const int *count)
                "but the area grows with its square.";
     if (squeezed)
         return "It looks like an even disc, squeezed into the ring "
-               "afterwards: the hole must be part of the formula.";
+               "afterward: the hole must be part of the formula.";
     return "The area within radius r grows with the square of r: "
            "which quantity should be even?";
 }

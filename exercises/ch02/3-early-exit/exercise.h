@@ -1,4 +1,4 @@
-// Exercise: no farther than necessary
+// Exercise: no further than necessary
 #pragma once
 #include "common/points.h"
 
