@@ -11,7 +11,7 @@ stats table using "ns_q1" nooutput
 set yrange [0.9*STATS_min:*]
 set xtics (1, 4, 16, 64, 256, 1024)
 of(name) = strcol(1)[1:strlen(name)] eq name ? column("ns") : NaN
-set key top left horizontal maxcols 4 at graph 0, 1.16
+set key outside top center horizontal maxrows 1 samplen 3
 plot table using (0.88*column("chunk")):(of("static")):"ns_q1":"ns_q3" \
        with yerrorlines pt 6 ps 0.8 title "static", \
      "" using "chunk":(of("dynamic")):"ns_q1":"ns_q3" \

@@ -1,7 +1,7 @@
 //> Declare the private answers
 // The triangular loop on several threads, each with answers of its own
 // that are merged at the end: n (n-1) / 2 distances, nothing guarded,
-// 24 bytes a point and thread.
+// 24 bytes a point for every thread but the first.
 #pragma once
 #include "common/question.h"
 #include <omp.h>
