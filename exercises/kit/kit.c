@@ -43,6 +43,7 @@ enum {
     OUTPUT_MAX = 1 << 20, // bytes that a call may print
     MEMORY_MAX = 4,       // GB that it may ask for
     SHOWN_MAX = 12,       // lines of its output that are passed on
+    REPORT_MAX = 300,     // bytes of a sanitizer's sentence
     SANITIZER_STATUS = 99,
     POISON = 0xa5,
 };
@@ -455,6 +456,8 @@ static void judge_report(const char *report)
     const char *address = strstr(what, " on ");
     if (address && address - what < length)
         length = address - what;
+    if (length > REPORT_MAX) // it may be the student's own invention
+        length = REPORT_MAX;
     const char *cause = NULL;
     int words = sizeof sanitizer_words / sizeof *sanitizer_words;
     for (int w = words - 1; w >= 0; w--)

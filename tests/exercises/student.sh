@@ -95,6 +95,8 @@ attempt "memory without end" "memory allocated in a loop without end" \
     'for (;;) *(char *)malloc(100000000) = 3;'
 attempt "output without end" "prints more than a megabyte" \
     'for (;;) puts("hello");'
+attempt "a made-up report" "found xxxxxxxxxx" \
+    'fputs("x: runtime error: ", stderr); for (int i = 0; i < 5000; i++) putc(120, stderr); exit(99);'
 attempt "an undefined function" "does not define helper" \
     'return (struct pair){0, 1, helper()};'
 attempt "a point that is its own neighbor" "not its own neighbor" \
