@@ -4,6 +4,7 @@
 // the points, and once more with a square root in it.
 //
 //     layout [POINTS [TRIALS]]
+#include "common/argument.h"
 #include "common/clock.h"
 #include "common/fail.h"
 #include "common/generate.h"
@@ -85,8 +86,8 @@ static void with_root(void *context)
 int main(int argc, char **argv)
 {
     fail_as("layout", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 100000;
-    int trials = argc > 2 ? atoi(argv[2]) : 101;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 1, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 101, 1, MANY);
 
     //> Fill the three layouts with the same points
     struct layouts l = {.x = 0.5, .y = 0.5, .radius = 0.25};

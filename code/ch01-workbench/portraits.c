@@ -2,16 +2,16 @@
 // Prints the points of all generators, one after the other.
 //
 //     portraits [POINTS]
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 int main(int argc, char **argv)
 {
     fail_as("portraits", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 500;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 500, 1, MANY);
 
     report_provenance(stdout);
     puts("distribution\tx\ty");

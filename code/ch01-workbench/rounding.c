@@ -5,12 +5,12 @@
 // same square root as the next larger double.
 //
 //     rounding [POINTS]
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "common/geometry.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 //> Contract the distance
 static double contracted2(double dx, double dy)
@@ -29,7 +29,7 @@ static int root_is_blind(double d2)
 int main(int argc, char **argv)
 {
     fail_as("rounding", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 1000;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
     struct points points = generate(find_distribution("uniform"), n, 1);
 
     //> Compare all distances

@@ -3,6 +3,7 @@
 // times come to, the clock's smallest step, and every time in order.
 //
 //     trials [TRIALS]
+#include "common/argument.h"
 #include "common/clock.h"
 #include "common/fail.h"
 #include "common/generate.h"
@@ -44,7 +45,7 @@ static double clock_step(void)
 int main(int argc, char **argv)
 {
     fail_as("trials", NULL);
-    int trials = argc > 1 ? atoi(argv[1]) : 1000;
+    int trials = argument(argc, argv, 1, "TRIALS", 1000, 1, MANY);
     struct points points =
         generate(find_distribution("uniform"), 10000, 1);
     double *times = allocate(trials, sizeof *times);

@@ -5,10 +5,10 @@
 //     block-size [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { SIZES = 9 };
 
@@ -27,9 +27,9 @@ static void run_blocked(void *context)
 int main(int argc, char **argv)
 {
     fail_as("block-size", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 8192;
-    uint32_t rows = argc > 2 ? atoi(argv[2]) : 512;
-    int trials = argc > 3 ? atoi(argv[3]) : 5;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 2, MANY);
+    uint32_t rows = argument(argc, argv, 2, "ROWS", 512, 1, n);
+    int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers answers = answers_allocate(n);
 

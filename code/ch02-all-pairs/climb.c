@@ -7,6 +7,7 @@
 #include "ch02-all-pairs/ladder.h"
 #include "ch02-all-pairs/peak.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <stdio.h>
@@ -37,9 +38,9 @@ static void print_limit(const char *name, const struct trial *peaks,
 int main(int argc, char **argv)
 {
     fail_as("climb", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 8192;
-    uint32_t rows = argc > 2 ? atoi(argv[2]) : 512;
-    int trials = argc > 3 ? atoi(argv[3]) : 5;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 2, MANY);
+    uint32_t rows = argument(argc, argv, 2, "ROWS", 512, 1, n);
+    int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);
     struct question questions[2];
     questions[0] = questions[1] = uniform_question(STANDARD, n, 1);
     questions[1].space.geometry = WRAPAROUND;

@@ -1,14 +1,15 @@
 //> Time three ways to choose the geometry
 // The same loop with a pointer, with a flag, and as a copy for each
-// geometry; once as the coursework has it, once over lanes.
+// geometry; once as the coursework has it, once over lanes. ROWS is
+// rounded down to a multiple of sixteen, as many as the lanes.
 //
 //     dispatch [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/choices.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { WAYS = 3, LOOPS = 2, GEOMETRIES = 2 };
 
@@ -22,9 +23,10 @@ static rows_function *const ways[WAYS][LOOPS] = {
 int main(int argc, char **argv)
 {
     fail_as("dispatch", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 8192;
-    uint32_t rows = argc > 2 ? atoi(argv[2]) : 256;
-    int trials = argc > 3 ? atoi(argv[3]) : 5;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 16, MANY);
+    uint32_t rows = argument(argc, argv, 2, "ROWS", 256, 16, n);
+    rows = rows / 16 * 16;
+    int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);
     struct question questions[GEOMETRIES];
     questions[0] = questions[1] = uniform_question(STANDARD, n, 1);
     questions[1].space.geometry = WRAPAROUND;

@@ -5,11 +5,11 @@
 //     distances means|histogram [POINTS [SETS]]
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { KINDS = 4, BINS = 60, MOST_SETS = 100 };
@@ -113,11 +113,8 @@ int main(int argc, char **argv)
     if (argc < 2 || (strcmp(argv[1], "means") != 0 &&
                      strcmp(argv[1], "histogram") != 0))
         fail("say what to print: means or histogram");
-    uint32_t n = argc > 2 ? atoi(argv[2]) : 20000;
-    int sets = argc > 3 ? atoi(argv[3]) : 3;
-    if (sets < 1 || sets > MOST_SETS)
-        fail("between 1 and %d sets of points, not %d", MOST_SETS,
-             sets);
+    uint32_t n = argument(argc, argv, 2, "POINTS", 20000, 2, MANY);
+    int sets = argument(argc, argv, 3, "SETS", 3, 1, MOST_SETS);
 
     //> Choose what the histograms span
     static struct collection c;

@@ -7,11 +7,11 @@
 //     growth [MOST]
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 //> Take the mean of one set
 static double mean_nearest(const struct question *question,
@@ -29,7 +29,7 @@ static double mean_nearest(const struct question *question,
 int main(int argc, char **argv)
 {
     fail_as("growth", NULL);
-    uint32_t most = argc > 1 ? atoi(argv[1]) : 12800;
+    uint32_t most = argument(argc, argv, 1, "MOST", 12800, 100, MANY);
 
     report_provenance(stdout);
     puts("name\tn\tbounded\twrapped");

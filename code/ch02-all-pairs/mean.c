@@ -7,11 +7,11 @@
 //     mean [POINTS [TRIALS]]
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 struct sample {
     const double *values;
@@ -77,8 +77,8 @@ static double careful_mean(const double *values, uint32_t n)
 int main(int argc, char **argv)
 {
     fail_as("mean", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 10000;
-    int trials = argc > 2 ? atoi(argv[2]) : 101;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 10000, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 101, 1, MANY);
 
     //> Find the distances to be averaged
     struct question question = uniform_question(STANDARD, n, 1);

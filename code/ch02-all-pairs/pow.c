@@ -5,10 +5,10 @@
 //     pow [POINTS [TRIALS]]
 #include "ch02-all-pairs/first.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 #ifdef __OPTIMIZE__
 #define LEVEL "optimized"
@@ -42,8 +42,8 @@ static void hidden(const struct question *question,
 int main(int argc, char **argv)
 {
     fail_as("pow", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 1000;
-    int trials = argc > 2 ? atoi(argv[2]) : 5;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers answers = answers_allocate(n);
 

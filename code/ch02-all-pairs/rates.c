@@ -4,15 +4,15 @@
 //     rates [TRIALS]
 #include "ch02-all-pairs/peak.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 int main(int argc, char **argv)
 {
     fail_as("rates", NULL);
-    int trials = argc > 1 ? atoi(argv[1]) : 51;
+    int trials = argument(argc, argv, 1, "TRIALS", 51, 1, MANY);
     struct trial versions[PEAKS];
     peak_versions(versions);
     time_in_turn(trials, versions, PEAKS);

@@ -7,28 +7,28 @@
 #include "ch02-all-pairs/ladder.h"
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 int main(int argc, char **argv)
 {
     fail_as("sizes", NULL);
-    uint32_t most = argc > 1 ? strtoul(argv[1], NULL, 10) : 1 << 17;
-    double pairs = argc > 2 ? atof(argv[2]) : 8e6;
-    int trials = argc > 3 ? atoi(argv[3]) : 5;
+    uint32_t most = argument(argc, argv, 1, "MOST", 1 << 17, 512, MANY);
+    double pairs = argument(argc, argv, 2, "PAIRS", 8000000, 1, MANY);
+    int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);
 
     report_provenance(stdout);
     puts("name\tn\tkilobytes\tlanes_ns\tlanes_ns_q1\tlanes_ns_q3"
          "\tqueries_ns\tqueries_ns_q1\tqueries_ns_q3"
          "\ttiles_ns\ttiles_ns_q1\ttiles_ns_q3");
-    for (uint64_t n = 1 << 9; n <= most; n *= 2) {
+    for (uint64_t n = 512; n <= most; n *= 2) {
         //> Time the three at one size
         struct question question = uniform_question(STANDARD, n, 1);
         struct answers answers = answers_allocate(n);
         rows_function *ways[] = {lanes_rows, queries_rows, tiles_rows};
-        uint32_t rows = (uint32_t)fmin(n, pairs / n) / 8 * 8;
+        uint32_t rows = (uint32_t)fmin(n, fmax(8, pairs / n)) / 8 * 8;
         struct run runs[3];
         struct trial versions[3];
         for (int v = 0; v < 3; v++) {

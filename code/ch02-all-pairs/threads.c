@@ -6,11 +6,11 @@
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 struct whole {
     void (*run)(const struct question *, struct answers *);
@@ -27,8 +27,8 @@ static void run_whole(void *context)
 int main(int argc, char **argv)
 {
     fail_as("threads", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 8192;
-    int trials = argc > 2 ? atoi(argv[2]) : 5;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers answers = answers_allocate(n);
 

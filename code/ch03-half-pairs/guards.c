@@ -7,11 +7,11 @@
 #include "ch03-half-pairs/guarded.h"
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static const struct version guards[] = {
     {"none", triangle, triangle}, // knows nothing of threads
@@ -25,8 +25,8 @@ enum { GUARDS = sizeof guards / sizeof *guards };
 int main(int argc, char **argv)
 {
     fail_as("guards", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 1000;
-    int trials = argc > 2 ? atoi(argv[2]) : 3;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct points points = uniform_points(n);
     struct times times[GUARDS];
     compare(points, STANDARD, trials, guards, GUARDS, times);

@@ -4,6 +4,7 @@
 // schedule depends on the numbers of rows and threads only.
 //
 //     load [POINTS [THREADS]]
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
@@ -28,8 +29,9 @@ static void weigh(uint32_t n, int threads, uint64_t *pairs)
 int main(int argc, char **argv)
 {
     fail_as("load", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 8000;
-    int threads = argc > 2 ? atoi(argv[2]) : 10;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 8000, 4, MANY);
+    uint32_t most = n / 4 < 1000 ? n / 4 : 1000; // a chunk is a row
+    int threads = argument(argc, argv, 2, "THREADS", 10, 1, most);
     enum { KINDS = 3 };
     const int chunks[KINDS] = {0, n / (4 * threads), 1}; // 0: undivided
     uint64_t *pairs = allocate(threads * KINDS, sizeof *pairs);

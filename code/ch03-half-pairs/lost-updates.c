@@ -6,6 +6,7 @@
 // book. Prints how many answers came out wrong, for up to LARGEST
 // points in two arrangements.
 #include "ch03-half-pairs/triangle.h"
+#include "common/argument.h"
 #include "common/clock.h"
 #include "common/fail.h"
 #include "common/generate.h"
@@ -83,10 +84,9 @@ static void race(const struct distribution *distribution, uint32_t n,
 int main(int argc, char **argv)
 {
     fail_as("lost-updates", NULL);
-    int runs = argc > 1 ? atoi(argv[1]) : 100;
-    uint32_t largest = argc > 2 ? (uint32_t)atol(argv[2]) : 2000;
-    if (runs < 1)
-        fail("expected a number of runs, found \"%s\"", argv[1]);
+    int runs = argument(argc, argv, 1, "RUNS", 100, 1, MANY);
+    uint32_t largest =
+        argument(argc, argv, 2, "LARGEST", 2000, 125, MANY);
     report_provenance(stdout);
     printf("name\tn\truns\tbad_runs\tmean_wrong\twrong\twrong_q1\t"
            "wrong_q3\twrong_most\n");

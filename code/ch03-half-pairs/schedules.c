@@ -5,11 +5,11 @@
 //     schedules [POINTS [TRIALS]]
 #include "ch03-half-pairs/compare.h"
 #include "ch03-half-pairs/private.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 struct entry {
     omp_sched_t schedule;
@@ -28,8 +28,8 @@ static void run_entry(void *context)
 int main(int argc, char **argv)
 {
     fail_as("schedules", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 2000;
-    int trials = argc > 2 ? atoi(argv[2]) : 3;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 2000, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct points points = uniform_points(n);
     struct question question = {
         points, {STANDARD, 1, 1}, omp_get_num_procs()};

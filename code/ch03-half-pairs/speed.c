@@ -10,11 +10,11 @@
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
 #include "ch03-half-pairs/triangle_tiles.h"
+#include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 //> Pair serial with parallel versions
 static const struct version versions[] = {
@@ -44,8 +44,8 @@ static void print_geometry(const char *name, enum geometry geometry,
 int main(int argc, char **argv)
 {
     fail_as("speed", NULL);
-    uint32_t n = argc > 1 ? atoi(argv[1]) : 3000;
-    int trials = argc > 2 ? atoi(argv[2]) : 3;
+    uint32_t n = argument(argc, argv, 1, "POINTS", 3000, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct points points = uniform_points(n);
     report_provenance(stdout);
     puts("name\tn\tthreads\tserial_ns\tserial_ns_q1\tserial_ns_q3"

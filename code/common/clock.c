@@ -57,14 +57,15 @@ static int64_t run_time(const struct trial *version)
 
 void time_in_turn(int trials, struct trial *versions, int count)
 {
-    double *times = allocate((size_t)count * trials, sizeof *times);
+    const size_t stride = trials;
+    double *times = allocate(count * stride, sizeof *times);
     for (int v = 0; v < count; v++)
         run_time(&versions[v]); // warms caches and clock rate
     for (int trial = 0; trial < trials; trial++)
         for (int v = 0; v < count; v++)
-            times[v * trials + trial] = run_time(&versions[v]);
+            times[v * stride + trial] = run_time(&versions[v]);
     for (int v = 0; v < count; v++)
-        versions[v].summary = summarize(times + v * trials, trials);
+        versions[v].summary = summarize(times + v * stride, trials);
     free(times);
 }
 //<

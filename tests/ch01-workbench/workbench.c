@@ -1,5 +1,6 @@
 // Chapter 1: the tools must be right before anything is measured.
 #include "algorithms.h"
+#include "common/argument.h"
 #include "common/clock.h"
 #include "common/count.h"
 #include "common/fail.h"
@@ -339,6 +340,38 @@ static void clock_runs_forward(void)
     }
 }
 
+// ---- arguments of experiments ---------------------------------------
+static void ask_for_rows(void *text)
+{
+    char *argv[] = {"climb", "100", text};
+    argument(3, argv, 2, "ROWS", 512, 8, 100);
+}
+
+static void arguments_are_whole_numbers(void)
+{
+    char *argv[] = {"climb", "2e4", "8", "100"};
+    CHECK_INT(20000, argument(4, argv, 1, "POINTS", 5, 2, MANY), "2e4");
+    CHECK_INT(8, argument(4, argv, 2, "ROWS", 5, 8, 100), "the least");
+    CHECK_INT(100, argument(4, argv, 3, "ROWS", 5, 8, 100), "the most");
+    CHECK_INT(5, argument(4, argv, 4, "TRIALS", 5, 1, 9), "left out");
+    CHECK_INT(100, argument(2, argv, 2, "ROWS", 512, 8, 100),
+              "left out, and cut down to the most");
+}
+
+static void bad_arguments_are_refused(void)
+{
+    static char *const bad[] = {
+        "101", "7",   "0",   "-8",  "9.5", "5000000000", "",
+        "ten", "10x", "1 0", "nan", "inf", "-inf"};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        char sentence[80];
+        snprintf(sentence, sizeof sentence,
+                 "test: expected ROWS from 8 to 100, found \"%s\"\n",
+                 bad[k]);
+        CHECK_FAILS(sentence, ask_for_rows, bad[k], "\"%s\"", bad[k]);
+    }
+}
+
 // ---- memory, failing, provenance -----------------------------------
 static void memory_is_aligned(void)
 {
@@ -409,9 +442,11 @@ int main(void)
         TEST(collinear_points_are), TEST(images_are_the_right_ones),
         TEST(known_distances), TEST(quartiles_interpolate),
         TEST(trials_run_as_often_as_said), TEST(clock_runs_forward),
-        TEST(memory_is_aligned), TEST(failing_says_why),
-        TEST(provenance_is_complete), TEST(good_tables_are_read),
-        TEST(good_tsplib_files_are_read), TEST(bad_tables_are_refused),
+        TEST(arguments_are_whole_numbers),
+        TEST(bad_arguments_are_refused), TEST(memory_is_aligned),
+        TEST(failing_says_why), TEST(provenance_is_complete),
+        TEST(good_tables_are_read), TEST(good_tsplib_files_are_read),
+        TEST(bad_tables_are_refused),
         TEST(bad_tsplib_files_are_refused),
         TEST(no_file_at_all_is_refused), TEST(many_points_are_read));
 }
