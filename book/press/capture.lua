@@ -20,9 +20,9 @@ local function run(command)
 end
 
 -- Compiles a C text: a file, with C's own headers above it, or, if there
--- are parameters, a function's body, with the workbench's as well. #line makes the compiler's message name the place
--- in the chapter. Returns whether it compiled, and the first error as
--- line and sentence.
+-- are parameters, a function's body, with the workbench's as well. #line
+-- makes the compiler's message name the place in the chapter. Returns
+-- whether it compiled, and the first error as line and sentence.
 function capture.compile(job, text, path, line, parameters)
   local program = {}
   for _, header in ipairs(job.headers) do

@@ -6,6 +6,7 @@ local context = {
   book = nil,       -- fragments, labels, references, citations, the job
   here = nil,       -- source, chapter's id, its answers; kind of text
   in_table = false,
+  caption = nil,    -- the label of the table or figure it belongs to
 }
 
 function context.raw(text)
@@ -87,15 +88,21 @@ local kinds = {
   ex = "Exercise",
 }
 
+-- "Table 2.1", if such labels are ours.
+function context.crossref(label)
+  local kind = kinds[label:match("^(%a+):")]
+  if label:match("^ch:appendix") then kind = "Appendix" end
+  return kind and ("\\crossref{%s}{%s}"):format(kind, label)
+end
+
 -- A reference if the key is one of ours, nil if it is literature.
 function context.reference(label)
-  local kind = kinds[label:match("^(%a+):")]
-  if not kind then return nil end
-  if label:match("^ch:appendix") then kind = "Appendix" end
+  local text = context.crossref(label)
+  if not text then return nil end
   local source = context.here.source
   table.insert(context.book.references, { label = label,
     path = source.path, line = source:find("@" .. label) })
-  return context.raw(("\\crossref{%s}{%s}"):format(kind, label))
+  return context.raw(text)
 end
 
 -- When everything has been read, every label must be there.

@@ -31,6 +31,13 @@ local function is_tie(list, i)
     and after and after.t == "Str" and numbers.is_unit(after.text)
 end
 
+-- Whether a sentence begins with this word.
+local function begins(list, i)
+  local before, last = list[i - 1], list[i - 2]
+  return not before or (before.t == "Space" or before.t == "SoftBreak")
+    and last and last.t == "Str" and last.text:match("[.?!]\"?$") ~= nil
+end
+
 local function woven(list)
   local result = pandoc.List()
   for i, x in ipairs(list) do
@@ -38,7 +45,7 @@ local function woven(list)
     if is_tie(list, i) then
       result:insert(raw("~"))
     elseif handler then
-      local new = handler(x)
+      local new = handler(x, begins(list, i))
       if new.t then result:insert(new) else result:extend(new) end
     elseif x.content then
       x.content = woven(x.content)
@@ -112,11 +119,11 @@ function inline.Link(x)
   return x
 end
 
-function inline.Span(x)
+function inline.Span(x, begins_sentence)
   local words = words_of.typed(x.content)
   local class = context.class_of(x, span_attributes, "span",
     x.classes[1] and "." .. x.classes[1] or words)
-  if class then return span[class](x, words) end
+  if class then return span[class](x, words, begins_sentence) end
   return woven(x.content)
 end
 
@@ -209,7 +216,14 @@ local function index_safe(text)
   return (text:gsub('[!@|"]', '"%0'))
 end
 
-function span.index(x, words)
+-- A capital that only begins the sentence is not the index's.
+local function uncapitalized(words)
+  return (words:gsub("^%u%f[^%u][^%u]*$", function(all)
+    return all:sub(1, 1):lower() .. all:sub(2)
+  end))
+end
+
+function span.index(x, words, begins_sentence)
   local key = x.attributes.key
   local entry
   if key then
@@ -221,6 +235,7 @@ function span.index(x, words)
     entry = words:gsub("[^%w ]", "") .. "@" ..
       index_safe(latex.inline_code(words))
   else
+    if begins_sentence then words = uncapitalized(words) end
     entry = latex.text(index_safe(words))
   end
   local result = woven(x.content)
@@ -228,17 +243,33 @@ function span.index(x, words)
   return result
 end
 
--- On what a table was measured: [ch02-speeds]{.machine}.
+-- On what a table was measured: [ch02-speeds]{.machine}. The first
+-- caption of a chapter says it in full, the next ones name the machine,
+-- what else is different, and the first.
 function span.machine(_, name)
-  local parts, why = values.provenance(name)
-  if not parts then
+  local where, why = values.provenance(name)
+  if not where then
     fault("[" .. name .. "]", "%s", why)
     return pandoc.List()
   end
-  for i, part in ipairs(parts) do
-    local text, is_code = part[1], part[2]
-    text = is_code and latex.inline_code(text) or latex.text(text)
-    parts[i] = i > 1 and not is_code and text:gsub(" ", "~") or text
+  local here, caption = context.here, context.caption
+  local first = here.measured
+  local function unbroken(part)
+    return "\\mbox{" .. latex.text(where[part]) .. "}"
+  end
+  local parts = { latex.text(where.machine) }
+  if first and caption and first.setup == where.setup then
+    parts[1] = parts[1]:gsub(",.*", "")
+    if first.date ~= where.date then table.insert(parts, unbroken("date")) end
+    table.insert(parts, "as in " .. first.reference)
+  else
+    table.insert(parts, unbroken("compiler"))
+    table.insert(parts, "\\mbox{" .. latex.inline_code(where.flags) .. "}")
+    table.insert(parts, unbroken("date"))
+  end
+  if caption and not first then
+    here.measured = { setup = where.setup, date = where.date,
+      reference = context.crossref(caption) }
   end
   return raw(table.concat(parts, ", "))
 end

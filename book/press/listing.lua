@@ -5,9 +5,10 @@ local latex = require "latex"
 
 local listing = {}
 
-local SHORT = 18 -- a listing of so many lines stays on one page
-local LONG = 30  -- one of more may break between any two lines,
-local ENDS = 3   -- but never so close to an end
+local SHORT = 7 -- a listing of so many lines stays on one page
+local LONG = 30 -- one of more may also break for a smaller hole
+local HEAD = 4  -- where it breaks, at least so many lines come before
+local TAIL = 3  -- and so many after, not counting braces
 
 function listing.code_line(line, in_comment)
   local pieces
@@ -24,24 +25,42 @@ function listing.code_line(line, in_comment)
   return table.concat(pieces), in_comment
 end
 
--- What stands between line i and the next.
-local function between(lines, i)
-  if #lines <= SHORT or i < ENDS or i > #lines - ENDS then
-    return "\\keep"
+-- Whether something ends with this line of LaTeX, and the next is
+-- neither a brace nor what else happens.
+local function is_end(line, following)
+  return (line:find(";$") or line:find("\\},?$")
+      or line:find("\\comment{.*}$") or line:find("\\nestedfragment{")
+      or line:find("^\\#include"))
+    and not following:find("^[\\ ]*\\[{}]")
+    and not following:find("^[\\ ]*\\keyword{else}")
+end
+
+-- What stands between line i and the next, with so many to come.
+local function between(lines, i, to_come)
+  if #lines <= SHORT or i < HEAD or to_come < TAIL then
+    return "\\nobreak"
   elseif lines[i] == "" then
     return "\\breakhere"
+  elseif is_end(lines[i], lines[i + 1]) then
+    return #lines > LONG and "\\breakifneeded" or "\\breakifpressed"
   end
-  return #lines > LONG and "\\breakifneeded" or "\\breakifpressed"
+  return "\\nobreak"
 end
 
 -- The lines one below the other. A listing that has to break does so at
--- a blank line, if there is one.
+-- a blank line, if there is one, or else between statements.
 local function stacked(lines)
-  local result = {}
+  local result, to_come = {}, 0
+  for _, line in ipairs(lines) do
+    if line:find("%w") then to_come = to_come + 1 end
+  end
   for i, line in ipairs(lines) do
     table.insert(result, line == "" and "\\codeblank" or
       "\\codeline{" .. line .. "}")
-    if i < #lines then table.insert(result, between(lines, i)) end
+    if line:find("%w") then to_come = to_come - 1 end
+    if i < #lines then
+      table.insert(result, between(lines, i, to_come))
+    end
   end
   return table.concat(result, "\n")
 end

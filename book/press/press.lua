@@ -172,4 +172,4 @@ end
 typeset.run(folder, chapters, sources)
 stop_at(faults.report())
 local pdf = mode == "--draft" and "/draft.pdf" or "/near-and-far.pdf"
-assert(os.rename(folder .. "/book.pdf", build .. pdf))
+if not os.rename(folder .. "/book.pdf", build .. pdf) then os.exit(1) end

@@ -46,13 +46,16 @@ local function locate(words, sources)
   end
 end
 
--- Makes book.pdf and pages.tsv of book.tex, and collects the faults.
+-- Makes book.pdf and pages.tsv of book.tex, and collects the faults. If
+-- LaTeX gives up there is neither, whatever an earlier run left.
 function typeset.run(folder, chapters, sources)
-  os.remove(folder .. "/typeset.out")
-  local before
+  for _, name in ipairs { "typeset.out", "book.log", "book.pdf" } do
+    os.remove(folder .. "/" .. name)
+  end
+  local before, good
   for _ = 1, MOST_RUNS do
     before = state(folder)
-    local good = run(folder,
+    good = run(folder,
       "lualatex -interaction=nonstopmode -halt-on-error book.tex")
     if good and files.exists(folder .. "/book.idx") then
       good = run(folder, "makeindex -q -s index.ist book.idx")
@@ -72,11 +75,18 @@ function typeset.run(folder, chapters, sources)
     end
     faults.add(path, line, "%s", fault[3])
   end
-  if state(folder) ~= before and #faults.list == 0 then
+  if good then
+    write_pages(folder, chapters)
+  else
+    os.remove(folder .. "/book.pdf")
+  end
+  if #faults.list > 0 then return end
+  if not good then
+    faults.add("book.tex", 1, "LaTeX gave up: see %s/typeset.out", folder)
+  elseif state(folder) ~= before then
     faults.add("book.tex", 1, "the pages do not settle in %d runs of LaTeX",
       MOST_RUNS)
   end
-  write_pages(folder, chapters)
 end
 
 return typeset

@@ -259,8 +259,8 @@ local function long_date(text)
   return ("%d %s %s"):format(day, months[tonumber(month)] or month, year)
 end
 
--- "AMD EPYC, 2 cores, gcc 12.2, -O3 -march=native, 21 November 2026"
--- as a list of { text, is_code }, or nil and why not.
+-- Machine, compiler, flags and date of a table, as captions say it, and
+-- `setup`, all of its head but the date; or nil and why not.
 function values.provenance(name)
   local this = tables[name]
   if not this then return nil, ('there is no table "%s"'):format(name) end
@@ -278,10 +278,11 @@ function values.provenance(name)
     end
   end
   return {
-    { short_machine(head.machine), false },
-    { (head.compiler:gsub("^(%a+ %d+%.%d+)%S*.*$", "%1")), false },
-    { table.concat(flags, " "), true },
-    { long_date(head.date), false },
+    machine = short_machine(head.machine),
+    compiler = head.compiler:gsub("^(%a+ %d+%.%d+)%S*.*$", "%1"),
+    flags = table.concat(flags, " "),
+    date = long_date(head.date),
+    setup = table.concat({ head.machine, head.compiler, head.flags }, "\n"),
   }
 end
 

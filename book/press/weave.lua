@@ -35,6 +35,12 @@ local function goes_on(x, previous)
     and opening(x.content):match("^%l") ~= nil
 end
 
+-- What stands before a listing or a small table introduces it.
+local function introduces(x, following)
+  return x.t == "Para" and following and (following.t == "CodeBlock"
+    or following.t == "Table" and #following.caption.long == 0)
+end
+
 function weave.blocks(list)
   local result = pandoc.List()
   for i, x in ipairs(list) do
@@ -44,6 +50,9 @@ function weave.blocks(list)
     end
     local new = handler and handler(x) or x
     if new.t then result:insert(new) else result:extend(new) end
+    if introduces(x, list[i + 1]) then
+      result:insert(raw_block("\\introduces"))
+    end
   end
   return result
 end
@@ -70,7 +79,9 @@ local function figure(image, caption, identifier)
     plot = "\\plot{" .. name .. "}"
   end
   if #caption == 0 then fault(words, "this figure needs a caption") end
+  context.caption = identifier ~= "" and identifier or nil
   local text = inlines.checked(caption)
+  context.caption = nil
   text:insert(1, raw(("\\caption{\\label{%s}"):format(identifier)))
   text:insert(raw("}"))
   return pandoc.List {
@@ -216,7 +227,9 @@ local function set_table(x, label)
       raw_block("\\end{smalltable}") }
   end
   if #caption == 0 then fault("#" .. label, "this table needs a caption") end
+  context.caption = label
   caption = inlines.paragraph(caption)
+  context.caption = nil
   local name = label and "\\label{" .. label .. "}" or ""
   caption:insert(1, raw("\\caption{" .. name))
   caption:insert(raw("}"))
@@ -290,8 +303,8 @@ function block.Div(x)
   if class == "quick" then
     return quick(x)
   elseif class == "answer" or class == "hint" then
-    -- Of an exercise, for the instructor and for `make hint`: checked
-    -- with the rest, but not printed.
+    -- Of an exercise, for whoever asks for them: checked with the
+    -- rest, but not printed.
     if not here.exercise then
       fault(words, class == "hint"
         and "a hint belongs into an exercise"

@@ -86,9 +86,41 @@ test_fault() {
     rm -rf "$place"
 }
 
+# Where LaTeX stops at an error, the press says where, and takes no book
+# that an earlier run left for this one's.
+test_stopped() {
+    place=$scratch/stopped
+    book "$place"
+    mkdir -p "$place/bin" "$place/build/book"
+    cat >"$place/bin/lualatex" <<'END'
+#!/bin/sh
+printf '@@chapters/ch01-near.md:20\n! Undefined control sequence.\n' >book.log
+exit 1
+END
+    chmod +x "$place/bin/lualatex"
+    expect='chapters/ch01-near.md:20: LaTeX says: Undefined control sequence.'
+    for mode in "" --draft; do
+        echo old >"$place/build/book/book.pdf"
+        PATH=$place/bin:$PATH texlua "$press/press.lua" $mode \
+            --root "$place" >"$place/said" 2>&1
+        status=$?
+        if [ $status -ne 1 ] || [ "$(head -n 1 "$place/said")" != "$expect" ] ||
+            [ "$(wc -l <"$place/said")" -ne 2 ]; then
+            printf 'not ok stopped %s: status %s, the press said %s\n' \
+                "$mode" $status "$(cat "$place/said")"
+        elif [ -e "$place/build/draft.pdf" ] ||
+            [ -e "$place/build/near-and-far.pdf" ]; then
+            echo "not ok stopped $mode: there is a book"
+        else
+            echo "ok stopped $mode"
+        fi
+    done
+}
+
 test_good
 test_printed
 test_claim
+test_stopped
 running=0
 for fault in "$here"/faults/*.sed; do
     test_fault "$fault" >"$scratch/$(basename "$fault").result" &
