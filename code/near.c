@@ -52,6 +52,13 @@ static struct points get_points(const struct options *options)
 //<
 
 //> Suggest a box that holds the points
+// High, if it is above low, or else the next number that is.
+static double above(double low, double high)
+{
+    high = high > low ? high : low + 1;
+    return high > low ? high : nextafter(low, INFINITY);
+}
+
 static _Noreturn void refuse_box(struct points points, uint32_t i)
 {
     double x0 = points.x[i], x1 = x0, y0 = points.y[i], y1 = y0;
@@ -61,8 +68,11 @@ static _Noreturn void refuse_box(struct points points, uint32_t i)
         y0 = fmin(y0, points.y[j]);
         y1 = fmax(y1, points.y[j]);
     }
-    x0 = floor(x0), x1 = x1 > x0 ? ceil(x1) : x0 + 1;
-    y0 = floor(y0), y1 = y1 > y0 ? ceil(y1) : y0 + 1;
+    x0 = floor(x0), x1 = above(x0, ceil(x1));
+    y0 = floor(y0), y1 = above(y0, ceil(y1));
+    if (!isfinite(x1 - x0) || !isfinite(y1 - y0))
+        fail("the points are too far apart for a box that wraps "
+             "around; scale the coordinates");
     fail("the point (%g, %g) lies outside the box that wraps around; "
          "name one that holds all points, such as --box "
          "%.17g,%.17g,%.17g,%.17g",
@@ -180,17 +190,28 @@ static struct summary answer(const struct algorithm *algorithm,
 //<
 
 //> Warn of squares out of range
-static void warn_of_range(struct points p,
+// Whether the closest images are in different places.
+static bool apart(const struct question *question, uint32_t i,
+                  uint32_t j)
+{
+    struct points p = question->points;
+    struct space space = question->space;
+    double dx = fabs(p.x[i] - p.x[j]), dy = fabs(p.y[i] - p.y[j]);
+    bool wraps = space.geometry == WRAPAROUND;
+    return !(dx == 0 || (wraps && dx == space.width)) ||
+           !(dy == 0 || (wraps && dy == space.height));
+}
+
+static void warn_of_range(const struct question *question,
                           const struct answers *answers)
 {
     uint32_t *nearest = answers->nearest;
     bool over = false, under = false;
-    for (uint32_t i = 0; i < p.n; i++) {
+    for (uint32_t i = 0; i < question->points.n; i++) {
         over |= answers->furthest && isinf(answers->furthest2[i]);
         over |= nearest && isinf(answers->nearest2[i]);
-        under |=
-            nearest && answers->nearest2[i] < DBL_MIN &&
-            (p.x[i] != p.x[nearest[i]] || p.y[i] != p.y[nearest[i]]);
+        under |= nearest && answers->nearest2[i] < DBL_MIN &&
+                 apart(question, i, nearest[i]);
     }
     if (over || under)
         fprintf(stderr,
@@ -284,7 +305,7 @@ static int near(const struct options *options)
     for (int k = 0; k < plan.count; k++)
         plan.ns[k] =
             answer(plan.algorithms[k], options, &question, &answers);
-    warn_of_range(points, &answers);
+    warn_of_range(&question, &answers);
 
     bool right = !options->check || check(options, &question, &answers);
     if (options->output && right)

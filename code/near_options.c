@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 //> Explain the options
 void print_help(void)
@@ -109,6 +110,8 @@ static uint64_t parse_seed(const char *text)
 // Whether the text is exactly count numbers with commas between them.
 static bool parse_numbers(const char *text, double *numbers, int count)
 {
+    if (strpbrk(text, "xX")) // hexadecimal, says strtod; not we
+        return false;
     for (int k = 0; k < count; k++) {
         char *end;
         numbers[k] = strtod(text, &end);
@@ -125,9 +128,9 @@ static bool parse_numbers(const char *text, double *numbers, int count)
 static struct columns parse_columns(const char *text)
 {
     double numbers[2];
-    if (!parse_numbers(text, numbers, 2) || numbers[0] < 1 ||
-        numbers[1] < 1 || numbers[0] > 1e6 || numbers[1] > 1e6 ||
-        numbers[0] != floor(numbers[0]) ||
+    if (!parse_numbers(text, numbers, 2) || numbers[0] == numbers[1] ||
+        numbers[0] < 1 || numbers[1] < 1 || numbers[0] > 1e6 ||
+        numbers[1] > 1e6 || numbers[0] != floor(numbers[0]) ||
         numbers[1] != floor(numbers[1]))
         fail("--columns: expected two column numbers such as 2,3, "
              "found \"%s\"",
@@ -205,6 +208,8 @@ static void take_option(struct options *options, int option,
         options->trials = parse_count("-r", optarg, 1, 1000000);
         break;
     case 'o':
+        if (!*optarg)
+            fail("-o: expected the name of a file, or -");
         options->output = optarg;
         break;
     case COLUMNS:
@@ -229,10 +234,19 @@ static void take_option(struct options *options, int option,
     case ':':
         fail("%s needs a value; see near --help", argv[optind - 1]);
     default:
-        if (optopt > 0 && optopt < COLUMNS)
+        if (optopt != 0 && optopt < COLUMNS)
             fail("what is -%c? See near --help", optopt);
         fail("what is %s? See near --help", argv[optind - 1]);
     }
+}
+//<
+
+//> Tell whether two names are one file
+static bool same_file(const char *a, const char *b)
+{
+    struct stat one, other;
+    return stat(a, &one) == 0 && stat(b, &other) == 0 &&
+           one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 //<
 
@@ -245,6 +259,9 @@ static void check_options(const struct options *o, bool generating)
     if (!o->file && !o->n)
         fail("which points? Name a FILE, or say -n N for random ones; "
              "see near --help");
+    if (o->file && o->output && same_file(o->file, o->output))
+        fail("-o: %s holds the points; the answers would replace them",
+             o->output);
     if (o->columns.x && !o->file)
         fail("--columns is for points from a file");
     if (o->has_box && o->geometry != WRAPAROUND)

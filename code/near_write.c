@@ -37,39 +37,63 @@ static void abandon_and_die(int signal)
 // A signal that somebody chose to ignore, as nohup does, stays so.
 static void abandon_on_signals(void)
 {
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int signals[] = {SIGHUP,  SIGINT,  SIGQUIT,
+                                  SIGPIPE, SIGALRM, SIGTERM,
+                                  SIGUSR1, SIGUSR2, SIGXCPU};
     struct sigaction action = {.sa_handler = abandon_and_die}, old;
-    for (int k = 0; k < 3; k++) {
+    for (size_t k = 0; k < sizeof signals / sizeof *signals; k++) {
         sigaction(signals[k], NULL, &old);
         if (old.sa_handler != SIG_IGN)
             sigaction(signals[k], &action, NULL);
     }
+    signal(SIGXFSZ, SIG_IGN); // a file too large is an error to report
+    atexit(write_abandon);
 }
 //<
 
 //> Open the file beside the file
-// An existing target is followed to what its links point at.
+// An existing target is followed to what its links point at, and lends
+// the new file its rights.
+static FILE *open_partial(const char *name, const struct stat *existing)
+{
+    if (!existing || !realpath(name, path))
+        snprintf(path, sizeof path, "%s", name);
+    snprintf(partial, sizeof partial, "%s.%ld.partial", path,
+             (long)getpid());
+    FILE *file = fopen(partial, "wx");
+    if (!file)
+        *partial = 0;
+    else if (existing)
+        fchmod(fileno(file), existing->st_mode & 07777);
+    return file;
+}
+//<
+
+//> Find out what the name stands for
+static bool is_standard_output(const struct stat *file)
+{
+    struct stat standard;
+    return fstat(STDOUT_FILENO, &standard) == 0 &&
+           file->st_dev == standard.st_dev &&
+           file->st_ino == standard.st_ino;
+}
+
 void write_open(const char *name)
 {
-    struct stat status;
+    struct stat there, link;
     bool standard = strcmp(name, "-") == 0;
-    bool exists = !standard && stat(name, &status) == 0;
+    bool exists = !standard && stat(name, &there) == 0;
+    standard = standard || (exists && is_standard_output(&there));
     target = standard ? "standard output" : name;
-    if (standard) {
+    abandon_on_signals();
+    if (standard)
         out = stdout;
-    } else if (exists && !S_ISREG(status.st_mode)) {
+    else if (exists && !S_ISREG(there.st_mode))
         out = fopen(name, "w");
-    } else if (!exists || (access(name, W_OK) == 0)) {
-        if (!exists || !realpath(name, path))
-            snprintf(path, sizeof path, "%s", name);
-        snprintf(partial, sizeof partial, "%s.%ld.partial", path,
-                 (long)getpid());
-        out = fopen(partial, "wx");
-        if (out)
-            abandon_on_signals();
-        else
-            *partial = 0;
-    }
+    else if (exists && access(name, W_OK) == 0)
+        out = open_partial(name, &there);
+    else if (!exists && lstat(name, &link) != 0) // no link to nowhere
+        out = open_partial(name, NULL);
     if (!out)
         fail("cannot write %s: %s", target, strerror(errno));
 }

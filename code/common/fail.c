@@ -21,15 +21,18 @@ void fail_as(const char *program, void (*cleanup)(void))
 
 _Noreturn void fail(const char *format, ...)
 {
-    va_list arguments;
-    va_start(arguments, format);
-    fprintf(stderr, "%s: ", name);
-    vfprintf(stderr, format, arguments);
-    fprintf(stderr, "\n");
-    va_end(arguments);
-    if (clean_up)
-        clean_up();
-    exit(2);
+#pragma omp critical(fail) // threads may run out of memory together
+    {
+        va_list arguments;
+        va_start(arguments, format);
+        fprintf(stderr, "%s: ", name);
+        vfprintf(stderr, format, arguments);
+        fprintf(stderr, "\n");
+        va_end(arguments);
+        if (clean_up)
+            clean_up();
+        exit(2);
+    }
 }
 //<
 

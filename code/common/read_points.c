@@ -14,17 +14,19 @@
 #include <string.h>
 
 //> Remember where we are in the file
+enum { LONGEST = 1 << 20 }; // line that was meant to be read
+
 struct format {
     struct columns columns;
     int width;            // columns in a line, 0: any number
+    bool numbered;        // the first column is the point's number
     const char *expected; // in a line
 };
 
 struct reader {
     const char *name; // of the file, for messages
     FILE *file;
-    char *line;    // the current one, trimmed
-    size_t room;   // that getline has made for it
+    char *line;    // the current one, trimmed; room for LONGEST
     size_t number; // of the line, from 1
     bool complete; // the line ended in '\n'
     struct points points;
@@ -51,9 +53,23 @@ static bool make_plain(char *line, size_t length)
     for (char *c = line; c < line + length; c++)
         if (*c == '\t')
             *c = ' ';
-        else if ((unsigned char)*c < ' ' && !isspace(*c))
+        else if ((unsigned char)*c < ' ' && *c != '\n' &&
+                 !(*c == '\r' && (c[1] == '\n' || c[1] == 0)))
             return false;
     return true;
+}
+
+// The length of the next line with its end; 0 at the end of the file.
+// A null character ends it too: what follows one is no text.
+static size_t read_line(struct reader *reader)
+{
+    size_t length = 0;
+    int c = ' ';
+    while (c && c != '\n' && length < LONGEST - 1 &&
+           (c = getc_unlocked(reader->file)) != EOF)
+        reader->line[length++] = (char)c;
+    reader->line[length] = 0;
+    return length;
 }
 
 // Cuts off a comment, and the spaces around what is left.
@@ -70,18 +86,20 @@ static void trim(char *line)
 static bool next_line(struct reader *reader)
 {
     do {
-        ssize_t length =
-            getline(&reader->line, &reader->room, reader->file);
-        if (length < 0 && !feof(reader->file))
+        size_t length = read_line(reader);
+        if (ferror(reader->file))
             fail("cannot read %s: %s", reader->name, strerror(errno));
-        if (length < 0)
+        if (length == 0)
             return false;
         reader->number++;
+        if (length == LONGEST - 1)
+            fail("%s:%zu: expected text, found a line without end",
+                 reader->name, reader->number);
         reader->complete = reader->line[length - 1] == '\n';
         if (!make_plain(reader->line, length))
             fail("%s:%zu: expected text, found a binary file",
                  reader->name, reader->number);
-        if (memcmp(reader->line, "\xef\xbb\xbf", 3) == 0)
+        if (strncmp(reader->line, "\xef\xbb\xbf", 3) == 0)
             memset(reader->line, ' ', 3); // a byte order mark
         trim(reader->line);
     } while (!*reader->line);
@@ -124,6 +142,14 @@ static bool read_number(const char *field, char separator,
 }
 //<
 
+//> Tell a count from other numbers
+static bool is_count(double number)
+{
+    return number >= 1 && number <= UINT32_MAX &&
+           number == floor(number);
+}
+//<
+
 //> Add a point to those we have
 static void add_point(struct reader *reader, double x, double y)
 {
@@ -158,9 +184,11 @@ static void take_point(struct reader *reader,
     char separator = separator_of(line);
     const char *field_x = find_field(line, format->columns.x);
     const char *field_y = find_field(line, format->columns.y);
-    double x, y;
+    double x, y, number = 1;
     if (!read_number(field_x, separator, &x) ||
-        !read_number(field_y, separator, &y))
+        !read_number(field_y, separator, &y) ||
+        (format->numbered && !read_number(line, separator, &number)) ||
+        !is_count(number))
         reject(reader, format->expected);
     if (!isfinite(x) || !isfinite(y))
         reject(reader, "finite numbers");
@@ -172,22 +200,42 @@ static void take_point(struct reader *reader,
 }
 //<
 
-//> Read a table
+//> Tell a header's word
+// A missing value is not one, nor is a number in quotes.
 static bool is_word(const char *field, char separator)
 {
+    static const char *const missing[] = {"NA", "N/A", "NULL"};
+    if (!field)
+        return false;
+    if (*field == '"')
+        field++, separator = '"';
+    size_t length = strcspn(field, "\" ,;");
+    for (int k = 0; k < 3; k++)
+        if (length == strlen(missing[k]) &&
+            strncmp(field, missing[k], length) == 0)
+            return false;
     double number;
-    return field && !read_number(field, separator, &number) &&
-           (isalpha((unsigned char)*field) || *field == '"' ||
-            *field == '_' || (unsigned char)*field >= 0x80);
+    return !read_number(field, separator, &number) &&
+           (isalpha((unsigned char)*field) || *field == '_' ||
+            (unsigned char)*field >= 0x80);
 }
+//<
+
+//> Read a table
 
 static void read_table(struct reader *reader, struct columns columns)
 {
-    struct format format = {columns, 0, "numbers in the two columns"};
-    if (!columns.x)
-        format = (struct format){{1, 2}, 2, "two numbers"};
-    columns = format.columns;
+    struct format format = {columns, 0, false,
+                            "numbers in the two columns"};
     char separator = separator_of(reader->line);
+    if (!columns.x)
+        format = (struct format){{1, 2},
+                                 2,
+                                 false,
+                                 find_field(reader->line, 3)
+                                     ? "two numbers (or --columns I,J)"
+                                     : "two numbers"};
+    columns = format.columns;
     bool header =
         is_word(find_field(reader->line, columns.x), separator) &&
         is_word(find_field(reader->line, columns.y), separator);
@@ -215,15 +263,26 @@ static bool is_tsplib(const char *line)
             line[length + strspn(line + length, " ")] == ':');
 }
 
-// The lines before the coordinates; returns the DIMENSION.
+// What stands behind the colon, or NULL.
+static const char *value_of(const char *line)
+{
+    const char *value = strchr(line, ':');
+    return value ? value + 1 + strspn(value + 1, " ") : NULL;
+}
+
+// The lines before the coordinates; returns the DIMENSION. Places on
+// the globe have two coordinates as well, but not in a plane.
 static double read_head(struct reader *reader)
 {
     double dimension = -1;
     while (!is_keyword(reader->line, "NODE_COORD_SECTION")) {
-        const char *value = strchr(reader->line, ':');
+        const char *value = value_of(reader->line);
         if (is_keyword(reader->line, "DIMENSION") &&
-            !(value && read_number(value + 1, ' ', &dimension)))
+            !(read_number(value, 0, &dimension) && is_count(dimension)))
             reject(reader, "the number of points");
+        if (is_keyword(reader->line, "EDGE_WEIGHT_TYPE") && value &&
+            strncmp(value, "GEO", 3) == 0)
+            reject(reader, "points in a plane");
         if (!next_line(reader))
             fail("%s: expected a NODE_COORD_SECTION, found none",
                  reader->name);
@@ -235,10 +294,14 @@ static double read_head(struct reader *reader)
 
 static void read_tsplib(struct reader *reader, struct columns columns)
 {
-    struct format format = {columns, 0, "numbers in the two columns"};
+    struct format format = {columns, 0, false,
+                            "numbers in the two columns"};
     if (!columns.x)
-        format = (struct format){
-            {2, 3}, 3, "a point's number and its two coordinates"};
+        format =
+            (struct format){{2, 3},
+                            3,
+                            true,
+                            "a point's number and its two coordinates"};
     double dimension = read_head(reader);
     bool ended = false;
     while (!ended && next_line(reader))
@@ -266,6 +329,7 @@ struct points read_points(const char *name, struct columns columns)
         .file = from_stdin ? stdin : fopen(name, "r")};
     if (!reader.file)
         fail("cannot open %s: %s", name, strerror(errno));
+    reader.line = allocate(LONGEST, 1);
     if (next_line(&reader)) {
         if (is_tsplib(reader.line))
             read_tsplib(&reader, columns);

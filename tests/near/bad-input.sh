@@ -33,6 +33,22 @@ bad 'a file cut short' \
 bad 'a file cut in a line' \
     'NAME: c\nDIMENSION: 2\nNODE_COORD_SECTION\n1 1 1\n2 2\n' \
     'cities.csv:5: expected a point'
+bad 'a point whose number is none' \
+    'DIMENSION: 1\nNODE_COORD_SECTION\nbanana 0 0\n' \
+    'cities.csv:3: expected a point'
+bad 'half a point too many' 'DIMENSION: 2.5\nNODE_COORD_SECTION\n' \
+    'cities.csv:1: expected the number of points'
+bad 'places on a globe' 'EDGE_WEIGHT_TYPE : GEO\n' \
+    'cities.csv:1: expected points in a plane'
+bad 'points at one huge place' '1e20 5\n1e20 6\n' \
+    'the point (1e+20, 5) lies outside the box that wraps around; name one that holds all points, such as --box 1e+20,5,1.0000000000000002e+20,6' -g wraparound
+bad 'points too far apart for a box' '1e308 0\n-1e308 0\n' \
+    'the points are too far apart for a box' -g wraparound
+bad 'the file that holds the points' '1 2\n3 4\n' \
+    '-o: ./cities.csv holds the points' -o ./cities.csv
+refuses 'a line without end' 'standard input:1: expected text, found a line without end' - <<END
+$(printf '%01100000d' 1)
+END
 bad 'outside the unit square' '0 0\n565 575\n' \
     'the point (565, 575) lies outside the box that wraps around; name one that holds all points, such as --box 0,0,565,575' \
     -g wraparound

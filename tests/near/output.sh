@@ -30,6 +30,21 @@ done
 says 'standard error closed' '2' "$?"
 says 'none of them left a file' '' "$(ls -A)"
 
+ln -s nowhere dangling
+refuses 'a link to nowhere' 'cannot write dangling: No such file' \
+    -n 10 -o dangling
+rm dangling
+refuses 'no name' '-o: expected the name of a file' -n 10 -o ''
+
+echo before >private.tsv && chmod 600 private.tsv
+"$near" -n 10 -o private.tsv
+says 'the rights of a file stay' '-rw-------' \
+    "$(ls -l private.tsv | cut -c 1-10)"
+rm private.tsv
+
+"$near" -n 4000 -r 1000 --timing -o pipe.tsv | head -n 1 >/dev/null
+says 'a broken pipe leaves no file' '' "$(ls -A)"
+
 if [ "$(id -u)" -ne 0 ]; then # root may write anything
     mkdir locked && chmod a-w locked
     refuses 'a locked folder' 'cannot write locked/a.tsv: Permission denied' \
