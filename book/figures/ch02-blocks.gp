@@ -6,7 +6,6 @@ set logscale x 2
 set xlabel "candidates in a block"
 set ylabel "ns a pair"
 set yrange [0:*]
-set ytics 0.1
 set xrange [12:5400]
 set xtics ("16" 16, "64" 64, "256" 256, "1,024" 1024, "4,096" 4096)
 unset key

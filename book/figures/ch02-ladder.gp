@@ -3,22 +3,22 @@
 height = 2.6
 load "book/figures/style.gp"
 table = data . "/ch02-ladder.tsv"
-limit(row, column) = system(sprintf("awk -F '\t' '$1 == \"%s\" { print $%d }' %s", row, column, table)) + 0
+cell(row, column) = system(sprintf("awk -F '\t' '$1 == \"%s\" { print $%d }' %s", row, column, table)) + 0
 set logscale y
 set xrange [-0.4:6.4]
-set yrange [0.1:20]
+set yrange [0.6*cell("limit_handed", 2):1.5*cell("first", 5)]
 set ylabel "ns a pair"
 set key top right
 set rmargin 16
 do for [column = 2:5:3] {
-  set label "adders' limit" at graph 1.02, first limit("limit", column) offset 0,0.4
-  set label "multipliers help" at graph 1.02, first limit("limit_handed", column) offset 0,-0.4
+  set label "adders' limit" at graph 1.02, first cell("limit", column) offset 0,0.4
+  set label "multipliers help" at graph 1.02, first cell("limit_handed", column) offset 0,-0.4
 }
 steps = sprintf("< grep -v '^limit' %s", table)
-plot limit("limit", 5) with lines ls 11 dt 1 notitle, \
-     limit("limit", 2) with lines ls 11 dt 1 notitle, \
-     limit("limit_handed", 5) with lines ls 11 dt (3,3) notitle, \
-     limit("limit_handed", 2) with lines ls 11 dt (3,3) notitle, \
+plot cell("limit", 5) with lines ls 11 dt 1 notitle, \
+     cell("limit", 2) with lines ls 11 dt 1 notitle, \
+     cell("limit_handed", 5) with lines ls 11 dt (3,3) notitle, \
+     cell("limit_handed", 2) with lines ls 11 dt (3,3) notitle, \
      steps using 0:5:6:7 with yerrorbars lt 2 dt 1 notitle, \
      "" using 0:5:xtic(1) with linespoints lt 2 title "wraparound", \
      "" using 0:2:3:4 with yerrorbars lt 1 notitle, \

@@ -1,12 +1,12 @@
 # Nanoseconds a pair against the number of points.
-height = 2.2
+height = 2.5
 load "book/figures/style.gp"
 table = data . "/ch02-sizes.tsv"
 set logscale x 2
 set xlabel "points"
 set ylabel "ns a pair"
-set yrange [0:1.1]
-set key top right
+set yrange [0:*]
+set key outside top center vertical maxrows 3
 set xrange [450:300000]
 set xtics ("1,024" 1024, "4,096" 4096, "16,384" 16384, "65,536" 65536, "262,144" 262144)
 plot table using 2:4 with linespoints lt 1 title "lanes: one point, eight candidates", \

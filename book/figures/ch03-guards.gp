@@ -6,6 +6,7 @@ load "book/figures/style.gp"
 table = data . "/ch03-guards.tsv"
 set logscale y
 set yrange [0.1:*]
+set key outside top center horizontal
 set ylabel "nanoseconds a pair"
 set style data histograms
 set style histogram clustered gap 1
