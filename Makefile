@@ -32,6 +32,9 @@ chapter_of = ch$(firstword $(subst -, ,$(patsubst code/ch%,%,$(1))))
 program_of = $(BUILD)/$(call chapter_of,$(1))/$(basename $(notdir $(1)))
 programs  := $(BUILD)/near $(foreach c,$(mains),$(call program_of,$(c)))
 
+# gnuplot wants to know that degrees and dashes are written in UTF-8.
+export LC_ALL = C.UTF-8
+
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -217,6 +220,9 @@ format: | $(BUILD)/setup/check
 #: remove everything generated
 clean:
 	rm -rf $(BUILD)
+
+.DEFAULT:
+	@echo "nothing makes $@; make help lists what there is" >&2; exit 2
 
 #: this list
 help:

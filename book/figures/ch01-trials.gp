@@ -1,4 +1,5 @@
-# The same work, timed again and again, with its median and its mean.
+# The same work, timed again and again, in microseconds, with its median
+# and its mean.
 # demo: plot
 height = 2.5
 load "book/figures/style.gp"
