@@ -91,10 +91,10 @@ SPECIALIZE(split)
 //> Keep distances only
 INLINED void sweep(const enum geometry geometry,
                    const struct question *question, uint32_t i,
-                   uint32_t begin, uint32_t end, struct pair *best)
+                   uint64_t begin, uint64_t end, struct pair *best)
 {
     const struct points p = question->points;
-    for (uint32_t j = begin; j < end; j++) {
+    for (uint64_t j = begin; j < end; j++) {
         struct pair pair = pair2(geometry, question->space,
                                  p.x[j] - p.x[i], p.y[j] - p.y[i]);
         best->near2 =
@@ -115,7 +115,7 @@ INLINED void blocks(const enum geometry geometry,
         struct pair best = {INFINITY, 0};
         uint64_t near_block = 0, far_block = 0;
         for (uint64_t block = 0; block < n; block += BLOCK) {
-            uint32_t stop = lesser(n, block + BLOCK);
+            uint64_t stop = lesser(n, block + BLOCK);
             //> Sweep a block and see whether it did better
             struct pair before = best;
             sweep(geometry, question, i, block, lesser(stop, i), &best);
@@ -127,8 +127,8 @@ INLINED void blocks(const enum geometry geometry,
                 far_block = block;
             //<
         }
-        answer(geometry, question, answers, i, best.near2, near_block,
-               best.far2, far_block);
+        tile_answer(geometry, question, answers, i, best.near2,
+                    near_block, best.far2, far_block);
     }
 }
 
@@ -186,7 +186,7 @@ INLINED void lanes(const enum geometry geometry,
             tile.y[lane] = p.y[i];
         }
         for (uint64_t block = 0; block < p.n; block += BLOCK) {
-            uint32_t stop = lesser(p.n, block + BLOCK);
+            uint64_t stop = lesser(p.n, block + BLOCK);
             struct tile before = tile;
             lane_sweep(geometry, question, block, lesser(stop, i),
                        &tile);
@@ -207,8 +207,8 @@ INLINED void lanes(const enum geometry geometry,
                 far = lane;
         }
         //<
-        answer(geometry, question, answers, i, tile.near2[near],
-               found.near[near], tile.far2[far], found.far[far]);
+        tile_answer(geometry, question, answers, i, tile.near2[near],
+                    found.near[near], tile.far2[far], found.far[far]);
     }
 }
 

@@ -2,10 +2,13 @@
 // LANES searches, so that one vector instruction serves several, and
 // the search by blocks that they share. A sweep over the candidates
 // keeps distances only, and notes the block of candidates where each
-// was found; a second look at that one block finds the index.
+// was found; a second look at that one block finds the index. The rule:
+// whenever a distance is computed, it must be the same to the last bit,
+// so compile with -ffp-contract=off.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "common/count.h"
+#include <assert.h>
 #include <stdbool.h>
 
 enum { LANES = 8, BLOCK = 256 };
@@ -19,12 +22,12 @@ struct blocks {
     uint64_t near[LANES], far[LANES]; // the first point of each
 };
 
-static inline uint32_t lesser(uint32_t a, uint32_t b)
+static inline uint64_t lesser(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
 
-static inline uint32_t greater(uint32_t a, uint32_t b)
+static inline uint64_t greater(uint64_t a, uint64_t b)
 {
     return a > b ? a : b;
 }
@@ -63,6 +66,7 @@ INLINED uint64_t look_again(const enum geometry geometry,
 {
     const struct points p = question->points;
     for (;; j++) {
+        assert(j < p.n && "compile with -ffp-contract=off");
         struct pair pair = pair2(geometry, question->space,
                                  p.x[j] - p.x[i], p.y[j] - p.y[i]);
         if (j != i && (far ? pair.far2 : pair.near2) == distance2)
@@ -72,11 +76,11 @@ INLINED uint64_t look_again(const enum geometry geometry,
 //<
 
 //> Answer from distances and blocks
-INLINED void answer(const enum geometry geometry,
-                    const struct question *question,
-                    struct answers *answers, uint32_t i, double near2,
-                    uint64_t near_block, double far2,
-                    uint64_t far_block)
+INLINED void tile_answer(const enum geometry geometry,
+                         const struct question *question,
+                         struct answers *answers, uint32_t i,
+                         double near2, uint64_t near_block, double far2,
+                         uint64_t far_block)
 {
     uint64_t j =
         look_again(geometry, question, i, near_block, false, near2);

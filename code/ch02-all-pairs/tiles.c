@@ -62,10 +62,11 @@ INLINED void meet(const enum geometry geometry,
 //> Answer for one tile
 INLINED void search(const enum geometry geometry, const bool hand_over,
                     const struct question *question,
-                    struct answers *answers, uint32_t i, uint32_t size)
+                    struct answers *answers, uint32_t i, uint32_t end,
+                    uint32_t size)
 {
     const struct points p = question->points;
-    const int width = lesser(LANES, p.n - i);
+    const int width = lesser(LANES, end - i);
     struct tile tile;
     struct blocks found;
     tile_begin(&tile, &found);
@@ -74,7 +75,7 @@ INLINED void search(const enum geometry geometry, const bool hand_over,
         tile.y[lane] = p.y[i + lesser(lane, width - 1)];
     }
     for (uint64_t block = 0; block < p.n; block += size) {
-        uint32_t stop = lesser(p.n, block + size);
+        uint64_t stop = lesser(p.n, block + size);
         //> Sweep a block around the tile
         struct tile before = tile;
         sweep(geometry, hand_over, question, block, lesser(stop, i),
@@ -87,8 +88,9 @@ INLINED void search(const enum geometry geometry, const bool hand_over,
         //<
     }
     for (int lane = 0; lane < width; lane++)
-        answer(geometry, question, answers, i + lane, tile.near2[lane],
-               found.near[lane], tile.far2[lane], found.far[lane]);
+        tile_answer(geometry, question, answers, i + lane,
+                    tile.near2[lane], found.near[lane], tile.far2[lane],
+                    found.far[lane]);
 }
 //<
 
@@ -100,7 +102,7 @@ INLINED void queries(const enum geometry geometry,
 {
     assert(begin % LANES == 0 && "a tile must lie in one block");
     for (uint64_t i = begin; i < end; i += LANES)
-        search(geometry, false, question, answers, i, BLOCK);
+        search(geometry, false, question, answers, i, end, BLOCK);
 }
 
 SPECIALIZE(queries)
@@ -113,9 +115,9 @@ void tiles_blocked_rows(const struct question *question,
     assert(begin % LANES == 0 && block % LANES == 0);
     for (uint64_t i = begin; i < end; i += LANES)
         if (question->space.geometry == STANDARD)
-            search(STANDARD, true, question, answers, i, block);
+            search(STANDARD, true, question, answers, i, end, block);
         else
-            search(WRAPAROUND, true, question, answers, i, block);
+            search(WRAPAROUND, true, question, answers, i, end, block);
 }
 
 void tiles_rows(const struct question *question,
@@ -130,9 +132,10 @@ void tiles(const struct question *question, struct answers *answers)
     uint32_t n = question->points.n;
     uint32_t count = n / LANES + (n % LANES != 0);
 #pragma omp parallel for num_threads(question->threads) schedule(static)
-    for (uint32_t tile = 0; tile < count; tile++)
-        tiles_rows(question, answers, tile * LANES,
-                   lesser(n, tile * LANES + LANES));
+    for (uint32_t tile = 0; tile < count; tile++) {
+        uint64_t begin = (uint64_t)tile * LANES;
+        tiles_rows(question, answers, begin, lesser(n, begin + LANES));
+    }
 }
 //<
 //<

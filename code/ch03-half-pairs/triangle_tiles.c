@@ -128,9 +128,10 @@ INLINED void share(const enum geometry geometry,
     }
 #pragma omp for
     for (uint32_t i = 0; i < n; i++)
-        answer(geometry, question, answers, i, bests.near[i].key,
-               bests.near[i].index * (uint64_t)SIDE, -bests.far[i].key,
-               bests.far[i].index * (uint64_t)SIDE);
+        tile_answer(geometry, question, answers, i, bests.near[i].key,
+                    bests.near[i].index * (uint64_t)SIDE,
+                    -bests.far[i].key,
+                    bests.far[i].index * (uint64_t)SIDE);
 }
 //<
 

@@ -36,6 +36,26 @@ static bool same_answers(const char *what, const struct answers *right,
     return true;
 }
 
+// Rows that were not asked for are not touched.
+static void stays_within(const char *what, rows_function *rows,
+                         const struct question *question,
+                         struct answers *found, uint32_t begin,
+                         uint32_t end)
+{
+    const uint32_t n = question->points.n;
+    for (uint32_t i = 0; i < n; i++) {
+        found->nearest[i] = found->furthest[i] = n;
+        found->nearest2[i] = found->furthest2[i] = -1;
+    }
+    rows(question, found, begin, end);
+    uint32_t touched = 0;
+    for (uint32_t i = 0; i < n; i++)
+        touched += found->nearest[i] != n || found->furthest[i] != n ||
+                   found->nearest2[i] != -1 ||
+                   found->furthest2[i] != -1;
+    CHECK_INT(end - begin, touched, "%s: rows touched", what);
+}
+
 // All versions, on the whole and on some rows in the middle.
 static void compare(const struct question *question)
 {
@@ -50,6 +70,8 @@ static void compare(const struct question *question)
         uint32_t end = begin + (n - begin) / 2;
         steps[step].rows(question, &found, begin, end);
         same_answers(steps[step].name, &right, &found, begin, end);
+        stays_within(steps[step].name, steps[step].rows, question,
+                     &found, begin, end);
     }
     for (uint32_t block = LANES; block <= 4 * LANES; block *= 2) {
         tiles_blocked_rows(question, &found, 0, n, block);
@@ -225,32 +247,43 @@ static void limits_add_up(void)
 }
 
 // ---- counts and means ----------------------------------------------
+static void count_distances(const struct algorithm *plain,
+                            const struct algorithm *fast, uint32_t n,
+                            int threads)
+{
+    struct points points = generate(find_distribution("uniform"), n, 1);
+    struct answers answers = answers_allocate(n);
+    struct question question = {points, {STANDARD, 0, 0}, threads};
+    long long pairs = (long long)n * (n - 1);
+    CHECK_INT(pairs,
+              count_operations(plain, &question, &answers).distances,
+              "every pair of %u points from both ends, %d threads",
+              (unsigned)n, threads);
+    // The spare lanes of a last tile meet all points before it, and
+    // each point looks into two blocks again.
+    long long width = n % LANES;
+    long long spare = width ? (LANES - width) * (n - width) : 0;
+    long long found =
+        count_operations(fast, &question, &answers).distances;
+    CHECK(spare < 8LL * n && found >= pairs + spare + 2 * n &&
+              found <= pairs + spare + 512LL * n,
+          "%lld distances of %u points on %d threads", found,
+          (unsigned)n, threads);
+    answers_free(&answers);
+    points_free(&points);
+}
+
 static void distances_are_counted(void)
 {
     const struct algorithm *plain = find_algorithm("naive");
     const struct algorithm *fast = find_algorithm("tiles");
     if (!CHECK(plain && fast, "both are in the table"))
         return;
-    const uint32_t n = 1003;
-    struct points points = generate(find_distribution("uniform"), n, 1);
-    struct answers answers = answers_allocate(n);
-    for (int threads = 1; threads <= 2; threads++) {
-        struct question question = {points, {STANDARD, 0, 0}, threads};
-        CHECK_INT(
-            (long long)n * (n - 1),
-            count_operations(plain, &question, &answers).distances,
-            "every pair from both ends, %d threads", threads);
-        // A tile has 8 lanes, 5 of them spare in the last, and each
-        // point looks into two blocks again.
-        long long found =
-            count_operations(fast, &question, &answers).distances;
-        long long least = (long long)n * (n - 1) + 5 * (n - 3);
-        CHECK(found >= least + 2 * n &&
-                  found <= least + 2LL * n * BLOCK,
-              "%lld distances on %d threads", found, threads);
-    }
-    answers_free(&answers);
-    points_free(&points);
+    // Full last tiles and others, fewer points than lanes, than blocks.
+    static const uint32_t sizes[] = {2, 7, 8, 9, 64, 255, 1003, 1008};
+    for (int s = 0; s < 8; s++)
+        for (int threads = 1; threads <= 2; threads++)
+            count_distances(plain, fast, sizes[s], threads);
 }
 
 // The mean nearest distance of one set of points scatters by a sixth
