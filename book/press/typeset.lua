@@ -73,7 +73,10 @@ function typeset.run(folder, chapters, sources)
       local other_path, other_line = locate(fault[4], sources)
       path, line = other_path or path, other_line or line
     end
-    faults.add(path, line, "%s", fault[3])
+    -- A first run that stopped knew no label.
+    if good or not fault[3]:find("^there is nothing") then
+      faults.add(path, line, "%s", fault[3])
+    end
   end
   if good then
     write_pages(folder, chapters)

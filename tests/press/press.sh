@@ -94,7 +94,12 @@ test_stopped() {
     mkdir -p "$place/bin" "$place/build/book"
     cat >"$place/bin/lualatex" <<'END'
 #!/bin/sh
-printf '@@chapters/ch01-near.md:20\n! Undefined control sequence.\n' >book.log
+cat >book.log <<'LOG'
+@@chapters/ch01-near.md:19
+LaTeX Warning: Reference `sec:cost' on page 1 undefined on input line 9.
+@@chapters/ch01-near.md:20
+! Undefined control sequence.
+LOG
 exit 1
 END
     chmod +x "$place/bin/lualatex"
