@@ -15,7 +15,7 @@
 
 //> Print a limit in both geometries
 static void print_limit(const char *name, const struct trial *peaks,
-                        const int standard[3], const int wraparound[3])
+                        struct bill standard, struct bill wraparound)
 {
     double ns[3][PEAKS];
     for (int peak = 0; peak < PEAKS; peak++) {
@@ -26,11 +26,9 @@ static void print_limit(const char *name, const struct trial *peaks,
     }
     printf("%s", name);
     for (int k = 0; k < 3; k++)
-        printf("\t%.4g", peak_limit(ns[k], standard[0], standard[1],
-                                    standard[2]));
+        printf("\t%.4g", peak_limit(ns[k], standard));
     for (int k = 0; k < 3; k++)
-        printf("\t%.4g", peak_limit(ns[k], wraparound[0], wraparound[1],
-                                    wraparound[2]));
+        printf("\t%.4g", peak_limit(ns[k], wraparound));
     puts("");
 }
 //<
@@ -74,11 +72,13 @@ int main(int argc, char **argv)
     //<
 
     //> Print the two limits
-    // Additions and subtractions, multiplications, minima and maxima.
+    // A subtraction is an addition, a maximum a minimum. Two of the
+    // subtractions can be handed over to the multipliers.
     const struct trial *peaks = versions + 2 * step_count;
-    print_limit("limit", peaks, (int[]){3, 2, 2}, (int[]){6, 4, 6});
-    print_limit("limit_handed", peaks, (int[]){1, 4, 2},
-                (int[]){4, 6, 6});
+    print_limit("limit", peaks, (struct bill){3, 2, 0, 2},
+                (struct bill){6, 4, 0, 6});
+    print_limit("limit_handed", peaks, (struct bill){1, 2, 2, 2},
+                (struct bill){4, 4, 2, 6});
     //<
     free(runs);
     free(versions);

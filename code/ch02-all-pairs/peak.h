@@ -12,6 +12,7 @@ enum peak {
     ADD_MULTIPLY,
     ADD_MINIMUM,
     MULTIPLY_MINIMUM, // two kinds, half and half
+    ALL,              // three kinds, a third each
     CYCLE,            // the processor's clock
     PEAKS
 };
@@ -24,8 +25,13 @@ extern const double peak_operations[PEAKS];
 // Fills versions[0 .. PEAKS-1], to be timed in turn.
 void peak_versions(struct trial versions[static PEAKS]);
 
-// The least time for so many operations of each kind, ns[] being the
-// time of one of each peak: no unit and no pair of units can be faster.
-double peak_limit(const double ns[static PEAKS], int adds,
-                  int multiplies, int minima);
+// Operations of each kind; fused ones subtract in the multiplier.
+struct bill {
+    int adds, multiplies, fused, minima;
+};
+
+// The least time for a bill, ns[] being the time of one operation of
+// each peak. It is a bound if no mixture of two kinds is faster than
+// half and half, and no mixture at all faster than the fastest peak.
+double peak_limit(const double ns[static PEAKS], struct bill bill);
 //<

@@ -239,11 +239,21 @@ static void limits_add_up(void)
                         [FUSED] = 1,
                         [ADD_MULTIPLY] = 0.5,
                         [ADD_MINIMUM] = 1,
-                        [MULTIPLY_MINIMUM] = 0.5};
-    CHECK_DOUBLE(5, peak_limit(ns, 3, 2, 2), "five for the adders");
-    CHECK_DOUBLE(4, peak_limit(ns, 1, 4, 2), "four to multiply");
-    ns[ADD_MULTIPLY] = ns[MULTIPLY_MINIMUM] = 1; // all units alike
-    CHECK_DOUBLE(6, peak_limit(ns, 1, 4, 2), "six that share");
+                        [MULTIPLY_MINIMUM] = 0.5,
+                        [ALL] = 2.0 / 3};
+    const struct bill plain = {3, 2, 0, 2}, handed = {1, 2, 2, 2};
+    CHECK_DOUBLE(5, peak_limit(ns, plain), "five for the adders");
+    CHECK_DOUBLE(4, peak_limit(ns, handed), "four to multiply");
+    ns[FUSED] = 1.5;
+    CHECK_DOUBLE(5, peak_limit(ns, handed), "two of them slower");
+    ns[FUSED] = ns[ADD_MULTIPLY] = ns[MULTIPLY_MINIMUM] = ns[ALL] = 1;
+    CHECK_DOUBLE(7, peak_limit(ns, plain), "all units are alike");
+    // Minima, too, are taken by units of their own.
+    ns[ADD_MULTIPLY] = ns[ADD_MINIMUM] = ns[MULTIPLY_MINIMUM] = 0.5;
+    ns[ALL] = 1.0 / 3;
+    CHECK_DOUBLE(3, peak_limit(ns, plain), "three additions");
+    ns[ALL] = 0.5; // but only two operations can begin at once
+    CHECK_DOUBLE(3.5, peak_limit(ns, plain), "seven in pairs");
 }
 
 // ---- counts and means ----------------------------------------------
