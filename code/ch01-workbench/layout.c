@@ -21,13 +21,13 @@ struct record { // as a program about cities would have them
     double elevation;
 };
 
-struct pair {
+struct place {
     double x, y;
 };
 
 struct layouts {
     struct record *records;
-    struct pair *pairs;
+    struct place *pairs;
     struct points arrays;
     double x, y, radius; // the query
     long within;         // the answer
@@ -95,7 +95,7 @@ int main(int argc, char **argv)
     l.records = allocate(n, sizeof *l.records);
     l.pairs = allocate(n, sizeof *l.pairs);
     for (uint32_t j = 0; j < n; j++) {
-        l.pairs[j] = (struct pair){l.arrays.x[j], l.arrays.y[j]};
+        l.pairs[j] = (struct place){l.arrays.x[j], l.arrays.y[j]};
         l.records[j] = (struct record){
             .population = j, .x = l.arrays.x[j], .y = l.arrays.y[j]};
     }
@@ -114,7 +114,7 @@ int main(int argc, char **argv)
     for (int v = 0; v < 4; v++)
         printf("%s\t%zu\t%.4g\t%.4g\t%.4g\n", names[v],
                v == 0   ? sizeof(struct record)
-               : v == 1 ? sizeof(struct pair)
+               : v == 1 ? sizeof(struct place)
                         : 2 * sizeof(double),
                versions[v].summary.median / n,
                versions[v].summary.q1 / n, versions[v].summary.q3 / n);

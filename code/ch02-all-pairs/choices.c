@@ -74,23 +74,23 @@ SPECIALIZE(copies)
 //<
 
 //> Pass a loop over lanes its distance
-enum { SIDE = 16 };
+enum { ASKING = 16 };
 
 INLINED void lane_loop(const struct question *question,
                        struct answers *answers, uint32_t begin,
                        uint32_t end, measure_function *measure)
 {
     const struct points p = question->points;
-    for (uint32_t i = begin; i < end; i += SIDE) {
-        double x[SIDE], y[SIDE], near2[SIDE], far2[SIDE];
-        for (int lane = 0; lane < SIDE; lane++) {
+    for (uint32_t i = begin; i < end; i += ASKING) {
+        double x[ASKING], y[ASKING], near2[ASKING], far2[ASKING];
+        for (int lane = 0; lane < ASKING; lane++) {
             x[lane] = p.x[i + lane];
             y[lane] = p.y[i + lane];
             near2[lane] = INFINITY;
             far2[lane] = 0;
         }
         for (uint32_t j = 0; j < p.n; j++)
-            for (int lane = 0; lane < SIDE; lane++) {
+            for (int lane = 0; lane < ASKING; lane++) {
                 double result[2];
                 measure(&question->space, p.x[j] - x[lane],
                         p.y[j] - y[lane], result);
@@ -99,7 +99,7 @@ INLINED void lane_loop(const struct question *question,
                 far2[lane] =
                     result[1] > far2[lane] ? result[1] : far2[lane];
             }
-        for (int lane = 0; lane < SIDE; lane++) {
+        for (int lane = 0; lane < ASKING; lane++) {
             answers->nearest2[i + lane] = near2[lane];
             answers->furthest2[i + lane] = far2[lane];
         }

@@ -21,7 +21,7 @@ static const char *const kinds[KINDS] = {
 struct collection {
     double mean[KINDS][MOST_SETS]; // of each set of points
     double bins[KINDS][BINS];      // share of the points
-    double same[MOST_SETS];        // share whose nearest is furthest
+    double same[MOST_SETS]; // share whose nearest is furthest, wrapped
     double low[KINDS], high[KINDS];
 };
 
@@ -57,7 +57,8 @@ static void collect(struct collection *c, uint32_t n, int set, int sets)
         }
         c->mean[kind][set] = nearest / n;
         c->mean[kind + 1][set] = furthest / n;
-        c->same[set] = same / n;
+        if (question.space.geometry == WRAPAROUND)
+            c->same[set] = same / n;
     }
     answers_free(&answers);
     points_free(&question.points);

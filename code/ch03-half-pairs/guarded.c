@@ -43,15 +43,16 @@ INLINED void share(const struct question *question, struct bests bests,
 //<
 
 //> Copy the bests into the answers
-static void answer(struct bests bests, uint32_t n,
-                   struct answers *answers)
+static void hand_over(struct bests *bests, uint32_t n,
+                      struct answers *answers)
 {
     for (uint32_t i = 0; i < n; i++) {
-        answers->nearest[i] = bests.near[i].index;
-        answers->nearest2[i] = bests.near[i].key;
-        answers->furthest[i] = bests.far[i].index;
-        answers->furthest2[i] = -bests.far[i].key;
+        answers->nearest[i] = bests->near[i].index;
+        answers->nearest2[i] = bests->near[i].key;
+        answers->furthest[i] = bests->far[i].index;
+        answers->furthest2[i] = -bests->far[i].key;
     }
+    bests_free(bests);
 }
 //<
 
@@ -62,8 +63,7 @@ void triangle_queue(const struct question *question,
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
     share(question, bests, offer_queue);
-    answer(bests, question->points.n, answers);
-    bests_free(&bests);
+    hand_over(&bests, question->points.n, answers);
 }
 //<
 
@@ -74,8 +74,7 @@ void triangle_critical(const struct question *question,
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
     share(question, bests, offer_critical);
-    answer(bests, question->points.n, answers);
-    bests_free(&bests);
+    hand_over(&bests, question->points.n, answers);
 }
 //<
 
@@ -86,8 +85,7 @@ void triangle_atomic(const struct question *question,
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
     share(question, bests, offer_atomic);
-    answer(bests, question->points.n, answers);
-    bests_free(&bests);
+    hand_over(&bests, question->points.n, answers);
 }
 //<
 //<
