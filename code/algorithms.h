@@ -16,7 +16,7 @@ struct algorithm {
     unsigned answers;    // set of enum answer
     const char *cost;    // of all n answers
     const char *about;   // one line
-    void (*run)(const struct question *, struct answers *);
+    search_function *run;
 };
 
 extern const struct algorithm algorithms[], counting_algorithms[];

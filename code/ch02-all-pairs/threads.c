@@ -12,18 +12,6 @@
 #include <omp.h>
 #include <stdio.h>
 
-struct whole {
-    void (*run)(const struct question *, struct answers *);
-    struct question question;
-    struct answers *answers;
-};
-
-static void run_whole(void *context)
-{
-    struct whole *whole = context;
-    whole->run(&whole->question, whole->answers);
-}
-
 int main(int argc, char **argv)
 {
     fail_as("threads", NULL);
@@ -41,14 +29,14 @@ int main(int argc, char **argv)
     //<
 
     //> Time both searches with each
-    struct whole wholes[2 * MOST];
+    struct search searches[2 * MOST];
     struct trial versions[2 * MOST];
     for (int v = 0; v < 2 * counts; v++) {
-        wholes[v] =
-            (struct whole){v % 2 ? tiles : naive, question, &answers};
-        wholes[v].question.threads = threads[v / 2];
+        searches[v] =
+            (struct search){v % 2 ? tiles : naive, question, &answers};
+        searches[v].question.threads = threads[v / 2];
         versions[v] =
-            (struct trial){.work = run_whole, .context = &wholes[v]};
+            (struct trial){.work = run_search, .context = &searches[v]};
     }
     time_in_turn(trials, versions, 2 * counts);
     //<

@@ -10,6 +10,12 @@ void run_rows(void *context)
     run->rows(run->question, run->answers, run->begin, run->end);
 }
 
+void run_search(void *context)
+{
+    struct search *search = context;
+    search->search(&search->question, search->answers);
+}
+
 struct question uniform_question(enum geometry geometry, uint32_t n,
                                  uint64_t seed)
 {

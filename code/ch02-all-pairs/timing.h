@@ -1,6 +1,7 @@
 //> Declare how the chapter times rows
 // The experiments of this chapter time rows_functions on the same
-// question and print nanoseconds a pair, as median and quartiles.
+// question and print nanoseconds a pair, as median and quartiles. Whole
+// searches, threads and all, are timed alike.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "common/clock.h"
@@ -14,6 +15,15 @@ struct run {
 
 // The work of a trial; the context is a struct run.
 void run_rows(void *context);
+
+struct search {
+    search_function *search;
+    struct question question;
+    struct answers *answers;
+};
+
+// The same for a struct search.
+void run_search(void *context);
 
 // n uniform points in the unit square.
 struct question uniform_question(enum geometry geometry, uint32_t n,

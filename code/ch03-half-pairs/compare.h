@@ -6,9 +6,6 @@
 #include "common/clock.h"
 #include "common/question.h"
 
-typedef void search_function(const struct question *question,
-                             struct answers *answers);
-
 struct version {
     const char *name;
     search_function *serial;   // run on one thread
@@ -23,10 +20,4 @@ struct times {
 void compare(struct points points, enum geometry geometry, int trials,
              const struct version *versions, int count,
              struct times *times);
-
-// n uniform points in the unit square; released with points_free.
-struct points uniform_points(uint32_t n);
-
-// Prints median and quartiles, each after a tab.
-void print_times(const struct summary *summary);
 //<

@@ -3,6 +3,7 @@
 // processors.
 //
 //     guards [POINTS [TRIALS]]
+#include "ch02-all-pairs/timing.h"
 #include "ch03-half-pairs/compare.h"
 #include "ch03-half-pairs/guarded.h"
 #include "ch03-half-pairs/private.h"
@@ -27,7 +28,7 @@ int main(int argc, char **argv)
     fail_as("guards", NULL);
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
-    struct points points = uniform_points(n);
+    struct points points = uniform_question(STANDARD, n, 1).points;
     struct times times[GUARDS];
     compare(points, STANDARD, trials, guards, GUARDS, times);
     report_provenance(stdout);
@@ -35,8 +36,8 @@ int main(int argc, char **argv)
          "\tall_ns\tall_ns_q1\tall_ns_q3");
     for (int g = 0; g < GUARDS; g++) {
         printf("%s\t%u\t%d", guards[g].name, n, omp_get_num_procs());
-        print_times(&times[g].serial);
-        print_times(&times[g].parallel);
+        print_summary(&times[g].serial, 1);
+        print_summary(&times[g].parallel, 1);
         puts("");
     }
     points_free(&points);

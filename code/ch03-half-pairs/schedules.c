@@ -3,7 +3,7 @@
 // each of OpenMP's schedules with smaller and larger chunks.
 //
 //     schedules [POINTS [TRIALS]]
-#include "ch03-half-pairs/compare.h"
+#include "ch02-all-pairs/timing.h"
 #include "ch03-half-pairs/private.h"
 #include "common/argument.h"
 #include "common/fail.h"
@@ -30,9 +30,8 @@ int main(int argc, char **argv)
     fail_as("schedules", NULL);
     uint32_t n = argument(argc, argv, 1, "POINTS", 2000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
-    struct points points = uniform_points(n);
-    struct question question = {
-        points, {STANDARD, 1, 1}, omp_get_num_procs()};
+    struct question question = uniform_question(STANDARD, n, 1);
+    question.threads = omp_get_num_procs();
     struct answers answers = answers_allocate(n);
 
     //> Try every schedule with every chunk
@@ -59,17 +58,16 @@ int main(int argc, char **argv)
     puts("name\tn\tthreads\tchunk\tns\tns_q1\tns_q3");
     double pairs = n * (n - 1.0);
     for (int e = 0; e < ENTRIES; e++) {
-        struct summary s = turns[e].summary;
         if (e < 3 * CHUNKS)
             printf("%s_%d", kinds[e / CHUNKS].name, entries[e].chunk);
         else
             printf("blocks");
-        printf("\t%u\t%d\t%d\t%.4g\t%.4g\t%.4g\n", n, question.threads,
-               entries[e].chunk, s.median / pairs, s.q1 / pairs,
-               s.q3 / pairs);
+        printf("\t%u\t%d\t%d", n, question.threads, entries[e].chunk);
+        print_summary(&turns[e].summary, pairs);
+        puts("");
     }
     answers_free(&answers);
-    points_free(&points);
+    points_free(&question.points);
     return 0;
 }
 //<

@@ -5,6 +5,7 @@
 //     speed [POINTS [TRIALS]]
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/tiles.h"
+#include "ch02-all-pairs/timing.h"
 #include "ch03-half-pairs/compare.h"
 #include "ch03-half-pairs/guarded.h"
 #include "ch03-half-pairs/private.h"
@@ -35,8 +36,8 @@ static void print_geometry(const char *name, enum geometry geometry,
     for (int v = 0; v < VERSIONS; v++) {
         printf("%s_%s\t%u\t%d", name, versions[v].name, points.n,
                omp_get_num_procs());
-        print_times(&times[v].serial);
-        print_times(&times[v].parallel);
+        print_summary(&times[v].serial, 1);
+        print_summary(&times[v].parallel, 1);
         puts("");
     }
 }
@@ -46,7 +47,7 @@ int main(int argc, char **argv)
     fail_as("speed", NULL);
     uint32_t n = argument(argc, argv, 1, "POINTS", 3000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
-    struct points points = uniform_points(n);
+    struct points points = uniform_question(STANDARD, n, 1).points;
     report_provenance(stdout);
     puts("name\tn\tthreads\tserial_ns\tserial_ns_q1\tserial_ns_q3"
          "\tparallel_ns\tparallel_ns_q1\tparallel_ns_q3");

@@ -20,6 +20,10 @@ struct answers {
     int64_t built_ns; // clock_ns() when the structure stood; 0: none
 };
 
+// What answers a question.
+typedef void search_function(const struct question *question,
+                             struct answers *answers);
+
 // Room for all four answers of n points, not yet set.
 struct answers answers_allocate(uint32_t n);
 void answers_free(struct answers *answers);

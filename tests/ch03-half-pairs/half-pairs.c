@@ -13,7 +13,7 @@
 
 static const struct {
     const char *name;
-    void (*run)(const struct question *, struct answers *);
+    search_function *run;
 } versions[] = {
     {"triangle", triangle},
     {"queue", triangle_queue},

@@ -51,8 +51,6 @@ static bool same_kind(const char *what, const char *kind, uint32_t n,
 }
 
 // ---- one algorithm, one question -----------------------------------
-typedef void run_function(const struct question *, struct answers *);
-
 // Arrays that the algorithm is not to touch are not even there.
 static struct answers make_room(uint32_t n, unsigned given)
 {
