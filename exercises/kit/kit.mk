@@ -46,7 +46,8 @@ library:
 		-c $(SOURCE) -o $(TO).o
 	$(CC) $($(VARIANT)) -shared -Wl,-Bsymbolic $(TO).o -o $(TO) -lm
 
-$(K)/%/starter.c: exercises/%/solution.c exercises/kit/starter.awk
+$(K)/%/starter.c: exercises/%/solution.c exercises/%/exercise.md \
+		exercises/kit/starter.awk
 	@mkdir -p $(@D)
 	awk -f exercises/kit/starter.awk $< >$@
 
