@@ -564,8 +564,8 @@ bool kit_enter(void)
             kit_text("no answer after %g seconds", grader.limit);
         grader.limit = fmax(grader.limit / 2, 1); // do not wait long
         broken("stopped", found,
-               "A loop that never ends: look at its condition, and at "
-               "what changes in its body.");
+               "A loop that never ends, or one whose time grows too "
+               "fast with n.");
     }
     judge(status, report);
     return false;

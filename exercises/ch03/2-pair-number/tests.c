@@ -172,11 +172,11 @@ static void billions_of_points(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"number-few", 2, "numbers of pairs, few points", number_few},
+    {"number-few", 1, "numbers of pairs, few points", number_few},
     {"number-many", 2, "numbers, a hundred thousand points",
      number_many},
     {"pair-few", 2, "pairs of numbers, few points", pair_few},
-    {"pair-many", 3, "pairs, a hundred thousand points", pair_many},
-    {"billions", 1, "both, four billion points", billions_of_points},
+    {"pair-many", 2, "pairs, a hundred thousand points", pair_many},
+    {"billions", 3, "both, four billion points", billions_of_points},
     {0},
 };
