@@ -34,13 +34,15 @@ static const char *tell(struct points points, struct pair pair)
 static const char *cause(struct points points, struct pair right,
                          struct pair found)
 {
+    const char *unbeaten =
+        "No pair beat what the search began with: begin with the first "
+        "pair and its distance.";
     if (isinf(right.distance2) && found.i == found.j)
         return "The squared distances are infinite, so none beats the "
                "infinity that the search began with: begin with a pair "
                "and its distance.";
     if (found.i == found.j && found.distance2 != 0)
-        return "No pair beat what the search began with. Does it begin "
-               "with a distance that every pair beats?";
+        return unbeaten;
     if (found.i == found.j)
         return "The pair joins a point with itself, but a point is not "
                "its own neighbor: where does the inner loop begin?";
@@ -54,6 +56,9 @@ static const char *cause(struct points points, struct pair right,
         if (found.distance2 == sqrt(really))
             return "The square of the distance is asked for, not its "
                    "root.";
+        if (points.n > 2 && found.i == 0 && found.j == 1 &&
+            found.distance2 <= right.distance2)
+            return unbeaten;
         return "The distance is not that of this pair: are indices and "
                "distance always kept together?";
     }
