@@ -26,13 +26,25 @@ function line(label, text,    words, n, i, width) {
     print ""
 }
 
+# What a crash has in common with the same one on another input: the
+# line and the words, but not the numbers.
+function kind(    place, words) {
+    words = $10
+    if (match(words, /, in line [0-9]+ of .*/)) {
+        place = substr(words, RSTART)
+        words = substr(words, 1, RSTART - 1)
+    }
+    gsub(/[0-9][0-9a-fx]*/, "N", words)
+    return words place $11
+}
+
 # A crash is told once, with the tests in which it happens again.
 function tell() {
-    if ($9 == "" && ($10 $11) in first) {
-        again[first[$10 $11]] = again[first[$10 $11]] " " $1
+    if ($9 == "" && kind() in first) {
+        again[first[kind()]] = again[first[kind()]] " " $1
         return
     }
-    first[$10 $11] = $1
+    first[kind()] = $1
     printf "\n%s  %s: %s\n", $4 == "wrong" ? "WRONG" : "FAILED", $1, $5
     line("where", $8)
     line("expected", $9)
