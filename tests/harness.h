@@ -3,6 +3,7 @@
 // if the test has set one; the test then goes on. Checks belong to one
 // thread: never call them inside a parallel region.
 #pragma once
+#include "common/question.h"
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -45,6 +46,12 @@ bool check_text(const char *file, int line, const char *expected,
 bool check_fails(const char *file, int line, const char *sentence,
                  void (*work)(void *), void *context, const char *what,
                  ...) __attribute__((format(printf, 6, 7)));
+
+// The plainest search there is, which shares nothing with those of the
+// book but the distance: the lowest of the nearest, the lowest of the
+// furthest.
+void search_plainly(const struct question *question,
+                    struct answers *answers);
 
 // A test program is one line:
 // int main(void) { return RUN_TESTS("ch02", TEST(one), TEST(two)); }

@@ -24,35 +24,10 @@ static const struct {
 };
 enum { VERSIONS = sizeof versions / sizeof *versions };
 
-// The definition: the lowest of the nearest, the lowest of the
-// furthest.
 static struct answers expected(const struct question *question)
 {
-    const struct points p = question->points;
-    struct answers answers = answers_allocate(p.n);
-    for (uint32_t i = 0; i < p.n; i++) {
-        uint32_t near = i == 0, far = i == 0;
-        double near2 = INFINITY, far2 = 0;
-        for (uint32_t j = 0; j < p.n; j++) {
-            if (j == i)
-                continue;
-            double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j];
-            double close2 = closest2(question->space, dx, dy);
-            double away2 = furthest2(question->space, dx, dy);
-            if (close2 < near2) {
-                near2 = close2;
-                near = j;
-            }
-            if (away2 > far2) {
-                far2 = away2;
-                far = j;
-            }
-        }
-        answers.nearest[i] = near;
-        answers.nearest2[i] = near2;
-        answers.furthest[i] = far;
-        answers.furthest2[i] = far2;
-    }
+    struct answers answers = answers_allocate(question->points.n);
+    search_plainly(question, &answers);
     return answers;
 }
 
