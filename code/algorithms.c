@@ -8,6 +8,7 @@
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
 #include "ch03-half-pairs/triangle_tiles.h"
+#include <stdlib.h>
 #include <string.h>
 
 #ifdef COUNTING
@@ -55,6 +56,22 @@ const struct algorithm *fastest_algorithm(enum geometry geometry,
             algorithms[row].answers & answer)
             return &algorithms[row];
     return NULL;
+}
+//<
+
+//> Keep only the answers that will be given
+struct answers answers_for(uint32_t n, unsigned given)
+{
+    struct answers answers = answers_allocate(n);
+    if (!(given & NEAREST)) {
+        free(answers.nearest), answers.nearest = NULL;
+        free(answers.nearest2), answers.nearest2 = NULL;
+    }
+    if (!(given & FURTHEST)) {
+        free(answers.furthest), answers.furthest = NULL;
+        free(answers.furthest2), answers.furthest2 = NULL;
+    }
+    return answers;
 }
 //<
 

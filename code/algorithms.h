@@ -29,6 +29,10 @@ const struct algorithm *find_algorithm(const char *name);
 const struct algorithm *fastest_algorithm(enum geometry geometry,
                                           enum answer answer);
 
+// Room for the answers given, a set of enum answer; the arrays of the
+// others are NULL. Released with answers_free.
+struct answers answers_for(uint32_t n, unsigned given);
+
 // Runs the row's counting twin once and returns what it counted.
 struct counts count_operations(const struct algorithm *algorithm,
                                const struct question *question,

@@ -129,22 +129,6 @@ static struct plan make_plan(const struct options *options)
 }
 //<
 
-//> Keep only the answers that will be given
-static struct answers make_room(uint32_t n, unsigned given)
-{
-    struct answers answers = answers_allocate(n);
-    if (!(given & NEAREST)) {
-        free(answers.nearest), answers.nearest = NULL;
-        free(answers.nearest2), answers.nearest2 = NULL;
-    }
-    if (!(given & FURTHEST)) {
-        free(answers.furthest), answers.furthest = NULL;
-        free(answers.furthest2), answers.furthest2 = NULL;
-    }
-    return answers;
-}
-//<
-
 //> Answer and take the time
 static double answer_once(const struct algorithm *algorithm,
                           const struct question *question,
@@ -296,7 +280,7 @@ static int near(const struct options *options)
     struct question question = {points, get_space(options, points),
                                 options->threads};
     struct plan plan = make_plan(options);
-    struct answers answers = make_room(points.n, plan.answers);
+    struct answers answers = answers_for(points.n, plan.answers);
     if (options->output)
         write_open(options->output);
     if (options->timing)

@@ -28,22 +28,20 @@ static bool same_kind(const char *what, const char *kind, uint32_t n,
 }
 
 // ---- one algorithm, one question -----------------------------------
+static void soil(void *array, size_t size)
+{
+    if (array)
+        memset(array, 0xA5, size);
+}
+
 // Arrays that the algorithm is not to touch are not even there.
 static struct answers make_room(uint32_t n, unsigned given)
 {
-    struct answers answers = answers_allocate(n);
-    memset(answers.nearest, 0xA5, n * sizeof *answers.nearest);
-    memset(answers.furthest, 0xA5, n * sizeof *answers.furthest);
-    memset(answers.nearest2, 0xA5, n * sizeof *answers.nearest2);
-    memset(answers.furthest2, 0xA5, n * sizeof *answers.furthest2);
-    if (!(given & NEAREST)) {
-        free(answers.nearest), answers.nearest = NULL;
-        free(answers.nearest2), answers.nearest2 = NULL;
-    }
-    if (!(given & FURTHEST)) {
-        free(answers.furthest), answers.furthest = NULL;
-        free(answers.furthest2), answers.furthest2 = NULL;
-    }
+    struct answers answers = answers_for(n, given);
+    soil(answers.nearest, n * sizeof *answers.nearest);
+    soil(answers.furthest, n * sizeof *answers.furthest);
+    soil(answers.nearest2, n * sizeof *answers.nearest2);
+    soil(answers.furthest2, n * sizeof *answers.furthest2);
     return answers;
 }
 
