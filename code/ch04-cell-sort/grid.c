@@ -1,0 +1,107 @@
+//> Cut the plane into cells
+// See grid.h.
+#include "ch04-cell-sort/grid.h"
+#include "common/fail.h"
+#include <assert.h>
+#include <float.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+// So that cells can be counted in 32 bits, and twice as many in 64.
+enum { MOST_CELLS = 1 << 30 };
+
+//> Find where a cell begins
+// The least x that lies in cell k or beyond. low + k / scale is right
+// but for a few roundings; between its two neighbors we halve.
+static double begin_of(const struct axis *axis, double high, uint32_t k)
+{
+    double guess = axis->low + k / axis->scale;
+    double error = 16 * DBL_EPSILON * fmax(fabs(axis->low), fabs(high));
+    double before = fmax(axis->low, guess - error);
+    double begin = fmin(high, guess + error);
+    if (axis_cell(axis, begin) < k)
+        return nextafter(high, INFINITY); // no point is there
+    for (;;) {
+        double middle = before + (begin - before) / 2;
+        if (middle <= before || middle >= begin)
+            return begin;
+        if (axis_cell(axis, middle) < k)
+            before = middle;
+        else
+            begin = middle;
+    }
+}
+//<
+
+//> Cut an axis
+struct axis axis_cut(double low, double high, double width,
+                     uint32_t count)
+{
+    struct axis axis = {count, low, count / width, NULL};
+    if (!(isfinite(width) && isfinite(axis.scale)))
+        axis = (struct axis){1, low, 0, NULL};
+    axis.border = allocate((size_t)axis.count + 1, sizeof(double));
+    axis.border[0] = low;
+    for (uint32_t k = 1; k < axis.count; k++)
+        axis.border[k] = begin_of(&axis, high, k);
+    axis.border[axis.count] = high;
+    return axis;
+}
+//<
+
+void axis_free(struct axis *axis)
+{
+    free(axis->border);
+    *axis = (struct axis){0};
+}
+
+//> Find the box of the points
+static void extent(const double *values, uint32_t n, double *low,
+                   double *high)
+{
+    *low = *high = values[0];
+    for (uint32_t i = 1; i < n; i++) {
+        *low = values[i] < *low ? values[i] : *low;
+        *high = values[i] > *high ? values[i] : *high;
+    }
+}
+//<
+
+//> Share the cells between columns and rows
+// Cells are square if columns / rows = width / height. A box that is
+// flat, or too large for its own width, gets a single row or column.
+static uint32_t columns_of(double width, double height, double cells)
+{
+    width = isfinite(width) ? width : 0;
+    height = isfinite(height) ? height : 0;
+    double columns = sqrt(cells) * sqrt(width) / sqrt(height);
+    return isnan(columns) ? 1 : fmax(1, fmin(round(columns), cells));
+}
+//<
+
+//> Fit a grid to the points
+struct grid grid_fit(const struct question *question, double c)
+{
+    assert(c > 0 && "cells hold some points");
+    const struct points p = question->points;
+    const struct space space = question->space;
+    double left, right, bottom, top;
+    extent(p.x, p.n, &left, &right);
+    extent(p.y, p.n, &bottom, &top);
+    bool wraps = space.geometry == WRAPAROUND;
+    double width = wraps ? space.width : right - left;
+    double height = wraps ? space.height : top - bottom;
+    double cells = fmax(1, fmin(round(p.n / c), MOST_CELLS));
+    uint32_t columns = columns_of(width, height, cells);
+    uint32_t rows = fmax(1, floor(cells / columns));
+    return (struct grid){axis_cut(left, right, width, columns),
+                         axis_cut(bottom, top, height, rows)};
+}
+//<
+
+void grid_free(struct grid *grid)
+{
+    axis_free(&grid->x);
+    axis_free(&grid->y);
+}
+//<

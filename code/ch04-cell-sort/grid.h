@@ -1,0 +1,60 @@
+//> Declare the grid
+// A grid over the points: equal cells in columns and rows, so that a
+// point finds its cell by arithmetic. An axis cuts one coordinate into
+// cells; a grid is two axes. Rounding decides, in the last bit, on
+// which side of a border a point falls, so the grid says exactly where
+// its cells begin: cell k holds the x with border[k] <= x <
+// border[k+1], the last one also border[count]. Those who search may
+// then compare with borders, and never err.
+#pragma once
+#include "common/question.h"
+
+struct axis {
+    uint32_t count; // of cells, >= 1
+    double low;     // where the first begins
+    double scale;   // cells per unit of length
+    double *border; // border[0 .. count]
+};
+
+struct grid {
+    struct axis x, y; // columns, rows
+};
+
+//> Find the cell on an axis
+// For coordinates of the points that the axis was made for. Through a
+// signed integer, which every vector unit can convert.
+static inline uint32_t axis_cell(const struct axis *axis, double x)
+{
+    uint32_t k = (uint32_t)(int32_t)((x - axis->low) * axis->scale);
+    return k < axis->count ? k : axis->count - 1;
+}
+//<
+
+//> Find the cell of a point
+// Cells are numbered row by row.
+static inline uint32_t grid_cell(const struct grid *grid, double x,
+                                 double y)
+{
+    return axis_cell(&grid->y, y) * grid->x.count +
+           axis_cell(&grid->x, x);
+}
+//<
+
+static inline uint32_t grid_cells(const struct grid *grid)
+{
+    return grid->x.count * grid->y.count;
+}
+
+// Cuts the stretch from low to high, or with wraparound all the width
+// from low on, into count cells; fewer if the stretch is too short or
+// too long to be cut. Released with axis_free.
+struct axis axis_cut(double low, double high, double width,
+                     uint32_t count);
+void axis_free(struct axis *axis);
+
+// A grid of nearly square cells over the points, about n / c of them
+// and never more than n / c + 1, so that a cell holds c points on
+// average; c > 0. Released with grid_free.
+struct grid grid_fit(const struct question *question, double c);
+void grid_free(struct grid *grid);
+//<
