@@ -34,12 +34,13 @@ static double begin_of(const struct axis *axis, double high, uint32_t k)
 //<
 
 //> Cut an axis
-struct axis axis_cut(double low, double high, double width,
+struct axis axis_cut(double low, double high, double period,
                      uint32_t count)
 {
-    struct axis axis = {count, low, count / width, NULL};
+    double width = isfinite(period) ? period : high - low;
+    struct axis axis = {count, low, count / width, NULL, period};
     if (!(isfinite(width) && isfinite(axis.scale)))
-        axis = (struct axis){1, low, 0, NULL};
+        axis = (struct axis){1, low, 0, NULL, period};
     axis.border = allocate((size_t)axis.count + 1, sizeof(double));
     axis.border[0] = low;
     for (uint32_t k = 1; k < axis.count; k++)
@@ -94,8 +95,9 @@ struct grid grid_fit(const struct question *question, double c)
     double cells = fmax(1, fmin(round(p.n / c), MOST_CELLS));
     uint32_t columns = columns_of(width, height, cells);
     uint32_t rows = fmax(1, floor(cells / columns));
-    return (struct grid){axis_cut(left, right, width, columns),
-                         axis_cut(bottom, top, height, rows)};
+    return (struct grid){
+        axis_cut(left, right, wraps ? width : INFINITY, columns),
+        axis_cut(bottom, top, wraps ? height : INFINITY, rows)};
 }
 //<
 

@@ -14,6 +14,7 @@ struct axis {
     double low;     // where the first begins
     double scale;   // cells per unit of length
     double *border; // border[0 .. count]
+    double period;  // after which all repeats; INFINITY: nothing does
 };
 
 struct grid {
@@ -45,10 +46,10 @@ static inline uint32_t grid_cells(const struct grid *grid)
     return grid->x.count * grid->y.count;
 }
 
-// Cuts the stretch from low to high, or with wraparound all the width
-// from low on, into count cells; fewer if the stretch is too short or
-// too long to be cut. Released with axis_free.
-struct axis axis_cut(double low, double high, double width,
+// Cuts the stretch from low to high, or if period is finite all of that
+// from low on, into count cells; into one if it is too short or too
+// long to be cut. Released with axis_free.
+struct axis axis_cut(double low, double high, double period,
                      uint32_t count);
 void axis_free(struct axis *axis);
 

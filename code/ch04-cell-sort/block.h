@@ -1,0 +1,94 @@
+//> Reach around a cell
+// A block: the cells around one cell, so and so many to either side,
+// and how near a point outside of it can be. Along an axis, what lies
+// outside is at most two stretches, one below the block and one above;
+// with wraparound both can be reached in two ways.
+#pragma once
+#include "ch04-cell-sort/grid.h"
+#include <stdbool.h>
+
+struct stretch {
+    double low, high; // an empty one: INFINITY, -INFINITY
+};
+
+struct reach {
+    uint32_t first, count;       // its cells, counted on round the axis
+    struct stretch below, above; // what it lacks of the axis
+};
+
+struct block {
+    struct reach x, y; // columns, rows
+};
+
+//> Reach along an axis
+static inline struct stretch stretch_of(const struct axis *axis,
+                                        int64_t begin, int64_t end)
+{
+    if (begin >= end)
+        return (struct stretch){INFINITY, -INFINITY};
+    return (struct stretch){axis->border[begin], axis->border[end]};
+}
+
+static inline struct reach axis_reach(const struct axis *axis,
+                                      uint32_t cell, uint32_t radius)
+{
+    const int64_t m = axis->count;
+    int64_t first = (int64_t)cell - radius;
+    int64_t end = (int64_t)cell + radius + 1;
+    if (axis->period == INFINITY) {
+        first = first < 0 ? 0 : first;
+        end = end > m ? m : end;
+    }
+    if (end - first >= m)
+        first = 0, end = m;
+    return (struct reach){
+        first < 0 ? first + m : first, end - first,
+        stretch_of(axis, end > m ? end - m : 0, first),
+        stretch_of(axis, end, first < 0 ? first + m : m)};
+}
+//<
+
+static inline struct block block_around(const struct grid *grid,
+                                        uint32_t cell, uint32_t radius)
+{
+    return (struct block){
+        axis_reach(&grid->x, cell % grid->x.count, radius),
+        axis_reach(&grid->y, cell / grid->x.count, radius)};
+}
+
+static inline double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double most(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+//> Find the least separation from what lies outside
+static inline double reach_margin(const struct axis *axis,
+                                  const struct reach *reach, double x)
+{
+    double direct = least(x - reach->below.high, reach->above.low - x);
+    double around = axis->period -
+                    most(x - reach->below.low, reach->above.high - x);
+    return least(direct, around);
+}
+//<
+
+// No point outside the block is nearer to (x, y), in it, than this.
+// INFINITY if the block has all cells.
+static inline double block_margin(const struct grid *grid,
+                                  const struct block *block, double x,
+                                  double y)
+{
+    return least(reach_margin(&grid->x, &block->x, x),
+                 reach_margin(&grid->y, &block->y, y));
+}
+
+static inline bool block_suffices(double best2, double margin)
+{
+    return best2 < margin * margin || margin == INFINITY;
+}
+//<

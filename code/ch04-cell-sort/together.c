@@ -1,0 +1,150 @@
+//> Search with the points of a cell together
+// See together.h.
+#include "ch04-cell-sort/together.h"
+#include "ch02-all-pairs/pair.h"
+#include "ch04-cell-sort/block.h"
+#include "common/clock.h"
+#include "common/count.h"
+
+enum { ASKING = 4, CELLS_PER_TURN = 256 };
+static const double points_per_cell = 2;
+
+//> Hold a few points of a cell
+struct asking {
+    double x[ASKING], y[ASKING], best2[ASKING];
+    int64_t self[ASKING], nearest[ASKING]; // indices
+};
+//<
+
+//> Show a stretch of candidates to all who ask
+INLINED void sweep(const enum geometry geometry, struct space space,
+                   struct points sorted, const uint32_t *point,
+                   uint32_t begin, uint32_t end, struct asking *asking)
+{
+    struct asking a =
+        *asking; // a copy, so that it may live in registers
+    for (uint32_t s = begin; s < end; s++) {
+        const int64_t j = point[s];
+#pragma omp simd
+        for (int lane = 0; lane < ASKING; lane++) {
+            double d2 = pair2(geometry, space, sorted.x[s] - a.x[lane],
+                              sorted.y[s] - a.y[lane])
+                            .near2;
+            bool better =
+                ((d2 < a.best2[lane]) |
+                 ((d2 == a.best2[lane]) & (j < a.nearest[lane]))) &
+                (j != a.self[lane]);
+            a.best2[lane] = better ? d2 : a.best2[lane];
+            a.nearest[lane] = better ? j : a.nearest[lane];
+        }
+    }
+    *asking = a;
+    COUNT(distances, (uint64_t)(end - begin) * ASKING);
+}
+//<
+
+//> Sweep a block
+INLINED void sweep_block(const enum geometry geometry,
+                         const struct question *question,
+                         const struct grid *grid,
+                         const struct cells *cells,
+                         struct points sorted,
+                         const struct block *block,
+                         struct asking *asking)
+{
+    const uint32_t columns = grid->x.count, rows = grid->y.count;
+    const uint32_t end = block->x.first + block->x.count;
+    for (uint32_t k = 0; k < block->y.count; k++) {
+        uint32_t row = block->y.first + k;
+        row -= row < rows ? 0 : rows;
+        const uint32_t *start = cells->start + row * columns;
+        sweep(geometry, question->space, sorted, cells->point,
+              start[block->x.first],
+              start[end < columns ? end : columns], asking);
+        if (end > columns)
+            sweep(geometry, question->space, sorted, cells->point,
+                  start[0], start[end - columns], asking);
+    }
+    COUNT(cells, (uint64_t)block->x.count * block->y.count);
+}
+//<
+
+//> Ask until the block suffices
+INLINED void ask(const enum geometry geometry,
+                 const struct question *question,
+                 const struct grid *grid, const struct cells *cells,
+                 struct points sorted, uint32_t cell, uint32_t begin,
+                 int width, struct answers *answers)
+{
+    struct asking asking;
+    for (int lane = 0; lane < ASKING; lane++) { // spare ones ask twice
+        uint32_t s = begin + (lane < width ? lane : width - 1);
+        asking.x[lane] = sorted.x[s];
+        asking.y[lane] = sorted.y[s];
+        asking.self[lane] = cells->point[s];
+        asking.best2[lane] = INFINITY;
+        asking.nearest[lane] = UINT32_MAX;
+    }
+    bool enough = false;
+    for (uint32_t radius = 1; !enough; radius *= 2) {
+        struct block block = block_around(grid, cell, radius);
+        sweep_block(geometry, question, grid, cells, sorted, &block,
+                    &asking);
+        enough = true;
+        for (int lane = 0; lane < ASKING; lane++)
+            enough &= block_suffices(asking.best2[lane],
+                                     block_margin(grid, &block,
+                                                  asking.x[lane],
+                                                  asking.y[lane]));
+    }
+    for (int lane = 0; lane < width; lane++) {
+        answers->nearest[asking.self[lane]] = asking.nearest[lane];
+        answers->nearest2[asking.self[lane]] = asking.best2[lane];
+    }
+}
+//<
+
+//> Go from cell to cell
+INLINED void search(const enum geometry geometry,
+                    const struct question *question,
+                    const struct grid *grid, const struct cells *cells,
+                    struct points sorted, struct answers *answers)
+{
+    const uint32_t m = grid_cells(grid);
+#pragma omp parallel for num_threads(question->threads) \
+    schedule(dynamic, CELLS_PER_TURN)
+    for (uint32_t cell = 0; cell < m; cell++) {
+        uint32_t end = cells->start[cell + 1];
+        for (uint32_t s = cells->start[cell]; s < end; s += ASKING)
+            ask(geometry, question, grid, cells, sorted, cell, s,
+                end - s < ASKING ? (int)(end - s) : ASKING, answers);
+    }
+}
+
+void search_together(const struct question *question,
+                     const struct grid *grid, const struct cells *cells,
+                     struct points sorted, struct answers *answers)
+{
+    if (question->space.geometry == STANDARD)
+        search(STANDARD, question, grid, cells, sorted, answers);
+    else
+        search(WRAPAROUND, question, grid, cells, sorted, answers);
+}
+//<
+
+//> Sort and search
+void cells_together(const struct question *question,
+                    struct answers *answers)
+{
+    struct grid grid = grid_fit(question, points_per_cell);
+    struct cells cells = cells_sort(&grid, question->points);
+    struct points sorted =
+        points_in_order(question->points, cells.point);
+    answers->built_ns = clock_ns();
+    search_together(question, &grid, &cells, sorted, answers);
+    points_free(&sorted);
+    cells_free(&cells);
+    grid_free(&grid);
+}
+//<
+//<

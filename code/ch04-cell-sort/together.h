@@ -1,0 +1,20 @@
+//> Declare the search that asks together
+// The nearest neighbors of points that are sorted by cell. The points
+// of a cell have the same block, so they ask together, each in a vector
+// lane of its own, and every candidate is loaded once for all of them;
+// the cells of one row of a block are neighbors in the sorted arrays,
+// and are gone through as one. About 9 c distances for each point and
+// spare lane, c points in a cell; threads share out the cells.
+#pragma once
+#include "ch04-cell-sort/cells.h"
+
+// Nearest only; sorted are the question's points in the order of the
+// cells, as points_in_order gives them.
+void search_together(const struct question *question,
+                     const struct grid *grid, const struct cells *cells,
+                     struct points sorted, struct answers *answers);
+
+// Sorts the points into cells, and searches.
+void cells_together(const struct question *question,
+                    struct answers *answers);
+//<
