@@ -20,13 +20,12 @@ static void histogram(const struct grid *grid, struct points points,
 //<
 
 //> Sum the counts to starts
-static void scan(uint32_t *count, uint32_t m)
+void cells_scan(uint32_t *count, uint32_t m, uint32_t first)
 {
-    uint32_t sum = 0;
     for (uint32_t k = 0; k < m; k++) {
         uint32_t here = count[k];
-        count[k] = sum;
-        sum += here;
+        count[k] = first;
+        first += here;
     }
 }
 //<
@@ -47,18 +46,23 @@ static void place(const uint32_t *home, uint32_t n, uint32_t *next,
 struct cells cells_sort(const struct grid *grid, struct points points)
 {
     uint32_t m = grid_cells(grid);
-    struct cells cells = {allocate((size_t)m + 1, sizeof(uint32_t)),
-                          allocate(points.n, sizeof(uint32_t))};
+    struct cells cells = cells_allocate(m, points.n);
     uint32_t *home = allocate(points.n, sizeof *home);
     uint32_t *count = cells.start + 1;
     memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
     histogram(grid, points, home, count);
-    scan(count, m);
+    cells_scan(count, m, 0);
     place(home, points.n, count, cells.point);
     free(home);
     return cells;
 }
 //<
+
+struct cells cells_allocate(uint32_t m, uint32_t n)
+{
+    return (struct cells){allocate((size_t)m + 1, sizeof(uint32_t)),
+                          allocate(n, sizeof(uint32_t))};
+}
 
 void cells_free(struct cells *cells)
 {

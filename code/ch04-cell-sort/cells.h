@@ -15,6 +15,12 @@ struct cells {
 struct cells cells_sort(const struct grid *grid, struct points points);
 void cells_free(struct cells *cells);
 
+// For those who sort in another way: room for n points in m cells, not
+// yet set; and the scan, which turns the counts of m cells into the
+// places where they begin, the first of them at first.
+struct cells cells_allocate(uint32_t m, uint32_t n);
+void cells_scan(uint32_t *count, uint32_t m, uint32_t first);
+
 // The points themselves in this order: a copy, to be released with
 // points_free.
 struct points points_in_order(struct points points,
