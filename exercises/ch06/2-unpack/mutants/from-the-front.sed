@@ -1,0 +1,4 @@
+# It begins at the front, over values that have not moved yet.
+# expect: overwritten before they have moved
+s/i = n; i-- > 0;/i = left = 0; i < n; i++/
+s/--left/left++/

@@ -1,0 +1,4 @@
+# Counts down while i > 0, and leaves out place 0.
+# expect: Place 0 is never written
+s/i = n; i-- > 0;/i = n; --i > 0;/
+s/for (uint32_t i = n/if (n > 0) &/

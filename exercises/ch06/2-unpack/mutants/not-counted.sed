@@ -1,0 +1,3 @@
+# The survivors are looked for at the end of the array.
+# expect: how many are there
+s/left += keep\[i\]/left++/

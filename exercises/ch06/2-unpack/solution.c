@@ -1,0 +1,20 @@
+// The inverse of pack, in place: from the back, because no survivor
+// moves to the front, and so nothing is overwritten before it has
+// moved.
+#include "exercise.h"
+
+void unpack(uint32_t n, const bool *keep, double *values, double hole)
+{
+    //- solution
+    uint32_t left = 0;
+    for (uint32_t i = 0; i < n; i++)
+        left += keep[i];
+    for (uint32_t i = n; i-- > 0;)
+        values[i] = keep[i] ? values[--left] : hole;
+    //- starter
+    // // Your turn. So far: from the front, over what is still needed.
+    // uint32_t next = 0;
+    // for (uint32_t i = 0; i < n; i++)
+    //     values[i] = keep[i] ? values[next++] : hole;
+    //- end
+}
