@@ -1,0 +1,3 @@
+# It looks at every number below the bound.
+# expect: known without a look
+s/below = bins->start\[k\]/below = 0/; s/s = bins->start\[k\];/s = 0;/; s/if (x == bins->border\[k\])/if (0)/

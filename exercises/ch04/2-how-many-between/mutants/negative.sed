@@ -1,0 +1,3 @@
+# The difference is taken though b lies before a.
+# expect: cannot be negative
+s/a < b ? \(.*\) : 0;/\1;/

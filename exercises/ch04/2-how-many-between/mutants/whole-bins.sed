@@ -1,0 +1,3 @@
+# Bins count as a whole.
+# expect: These are whole bins
+s/if (x == bins->border\[k\])/if (1)/
