@@ -117,6 +117,12 @@ $(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
 
+# Vector code whose instructions are emulated, by SIMDe.
+emulated := $(patsubst %.c,$(BUILD)/plain/%.o,$(wildcard tests/instructions/*.c))
+$(emulated): CPPFLAGS += -DEMULATED -isystem tests/instructions/emulated
+$(emulated): override CFLAGS += -Wno-psabi
+$(emulated): | $(BUILD)/setup/test
+
 define test_rule
 $(BUILD)/tests/$(1): $(patsubst %.c,$(BUILD)/plain/%.o,tests/harness.c \
 		$(wildcard tests/$(1)/*.c)) $$(objects) $(BUILD)/counting.o

@@ -32,12 +32,12 @@ bool isa_present(enum isa isa)
 enum isa isa_chosen(void)
 {
     const char *name = getenv("NEAR_ISA");
+    bool any = !name || !*name;
     for (int isa = ISA_COUNT - 1; isa >= 0; isa--) {
-        if (name && *name && strcmp(name, isa_names[isa]) != 0)
-            continue;
-        if (isa_present(isa))
+        bool wanted = any || strcmp(name, isa_names[isa]) == 0;
+        if (wanted && isa_present(isa))
             return isa;
-        if (name && *name)
+        if (wanted && !any)
             fail("NEAR_ISA: this processor has no %s", name);
     }
     fail("NEAR_ISA: expected portable, avx2 or avx512, found \"%s\"",

@@ -17,4 +17,23 @@ bool isa_present(enum isa isa);
 // The one to use. Fails if NEAR_ISA names none, or one that is not
 // present.
 enum isa isa_chosen(void);
+
+//> Let a function use an instruction set
+// Code for an instruction set is compiled wherever it can be, whatever
+// the rest is compiled for, and called only where it can run. With
+// EMULATED every instruction is a function in plain C, on any machine:
+// so tests/instructions tests what the machine at hand lacks.
+#if defined __x86_64__ && !defined EMULATED
+#define USE_AVX2 __attribute__((target("avx2,fma,bmi2")))
+#define USE_AVX512                   \
+    __attribute__((target("avx512f," \
+                          "avx512cd,avx512bw,avx512dq,avx512vl")))
+#else
+#define USE_AVX2
+#define USE_AVX512
+#endif
+#if defined __x86_64__ || defined EMULATED
+#define HAVE_X86_VECTORS
+#endif
+//<
 //<

@@ -1,0 +1,148 @@
+//> Write the primitives in AVX2
+// See avx2.h. Whole vectors while there are any, then the rest as the
+// portable functions do it.
+#include "ch06-pack-scan/avx2.h"
+#ifdef HAVE_X86_VECTORS
+#include "ch06-pack-scan/portable.h"
+#include <immintrin.h>
+#include <string.h>
+
+static const struct primitives *const rest = &portable_primitives;
+
+//> Add four at a time
+USE_AVX2
+static void add(double *to, const double *a, const double *b,
+                uint32_t n)
+{
+    uint32_t whole = n / 4 * 4;
+    for (uint32_t i = 0; i < whole; i += 4)
+        _mm256_storeu_pd(to + i, _mm256_add_pd(_mm256_loadu_pd(a + i),
+                                               _mm256_loadu_pd(b + i)));
+    rest->add(to + whole, a + whole, b + whole, n - whole);
+}
+//<
+
+//> Load four indices
+// The instruction takes them as signed numbers: 32 bits would not do.
+USE_AVX2
+static __m256i four(const uint32_t *index)
+{
+    return _mm256_cvtepu32_epi64(
+        _mm_loadu_si128((const __m128i *)index));
+}
+//<
+
+//> Gather four at a time
+USE_AVX2
+static void gather(double *to, const double *from,
+                   const uint32_t *index, uint32_t n)
+{
+    uint32_t whole = n / 4 * 4;
+    for (uint32_t i = 0; i < whole; i += 4)
+        _mm256_storeu_pd(to + i,
+                         _mm256_i64gather_pd(from, four(index + i), 8));
+    for (uint32_t i = whole; i < n; i++) // indices count from `from`
+        to[i] = from[index[i]];
+}
+//<
+
+//> Gather four 32-bit numbers at a time
+USE_AVX2
+static void gather32(uint32_t *to, const uint32_t *from,
+                     const uint32_t *index, uint32_t n)
+{
+    uint32_t whole = n / 4 * 4;
+    for (uint32_t i = 0; i < whole; i += 4)
+        _mm_storeu_si128((__m128i *)(to + i),
+                         _mm256_i64gather_epi32((const int *)from,
+                                                four(index + i), 4));
+    for (uint32_t i = whole; i < n; i++)
+        to[i] = from[index[i]];
+}
+//<
+
+//> Sum up a vector from the left
+// Lane i becomes the sum of lanes 0 to i.
+USE_AVX2
+static __m256i sums(__m256i x)
+{
+    const __m256i third = _mm256_set1_epi32(3);
+    x = _mm256_add_epi32(x, _mm256_slli_si256(x, 4));
+    x = _mm256_add_epi32(x, _mm256_slli_si256(x, 8));
+    __m256i low = _mm256_permutevar8x32_epi32(x, third);
+    return _mm256_add_epi32(
+        x, _mm256_blend_epi32(_mm256_setzero_si256(), low, 0xf0));
+}
+//<
+
+//> Scan eight at a time
+USE_AVX2
+static uint32_t scan(uint32_t *to, const uint32_t *from, uint32_t n,
+                     uint32_t sum)
+{
+    const __m256i last = _mm256_set1_epi32(7);
+    uint32_t whole = n / 8 * 8;
+    __m256i before = _mm256_set1_epi32((int)sum);
+    for (uint32_t i = 0; i < whole; i += 8) {
+        __m256i x = _mm256_loadu_si256((const __m256i *)(from + i));
+        __m256i up_to = sums(x);
+        _mm256_storeu_si256(
+            (__m256i *)(to + i),
+            _mm256_add_epi32(before, _mm256_sub_epi32(up_to, x)));
+        before = _mm256_add_epi32(
+            before, _mm256_permutevar8x32_epi32(up_to, last));
+    }
+    sum = (uint32_t)_mm256_cvtsi256_si32(before);
+    return rest->scan(to + whole, from + whole, n - whole, sum);
+}
+//<
+
+//> Pack eight at a time
+USE_AVX2
+static uint32_t pack(uint32_t *to, const uint32_t *from,
+                     const uint8_t *keep, uint32_t n)
+{
+    uint32_t whole = n / 8 * 8, k = 0;
+    for (uint32_t i = 0; i < whole; i += 8) {
+        uint64_t flags;
+        memcpy(&flags, keep + i, 8);
+        uint64_t lanes = _pext_u64(0x0706050403020100, flags * 0xff);
+        __m256i order =
+            _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)lanes));
+        __m256i x = _mm256_loadu_si256((const __m256i *)(from + i));
+        _mm256_storeu_si256((__m256i *)(to + k),
+                            _mm256_permutevar8x32_epi32(x, order));
+        k += (uint32_t)__builtin_popcountll(flags);
+    }
+    return k +
+           rest->pack(to + k, from + whole, keep + whole, n - whole);
+}
+//<
+
+//> List the primitives in AVX2
+// There is no instruction to scatter: one at a time, as in plain C.
+static void scatter(double *to, const double *from,
+                    const uint32_t *index, uint32_t n)
+{
+    rest->scatter(to, from, index, n);
+}
+
+static void scatter32(uint32_t *to, const uint32_t *from,
+                      const uint32_t *index, uint32_t n)
+{
+    rest->scatter32(to, from, index, n);
+}
+
+const struct primitives avx2_primitives = {
+    .isa = AVX2,
+    .add = add,
+    .gather = gather,
+    .gather32 = gather32,
+    .scatter = scatter,
+    .scatter32 = scatter32,
+    .scan = scan,
+    .pack = pack,
+};
+//<
+#endif
+//<

@@ -1,0 +1,7 @@
+//> Declare the primitives in AVX-512
+// Eight doubles or sixteen 32-bit numbers at a time. x86-64 only.
+#pragma once
+#include "ch06-pack-scan/primitives.h"
+
+extern const struct primitives avx512_primitives;
+//<

@@ -1,0 +1,84 @@
+//> Write the primitives in plain C
+// See portable.h. A step per element, and no branch but the loop's.
+#include "ch06-pack-scan/portable.h"
+
+//> Add element by element
+static void add(double *to, const double *a, const double *b,
+                uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        to[i] = a[i] + b[i];
+}
+//<
+
+//> Gather through an index
+static void gather(double *to, const double *from,
+                   const uint32_t *index, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        to[i] = from[index[i]];
+}
+//<
+
+//> Gather and scatter the rest
+static void gather32(uint32_t *to, const uint32_t *from,
+                     const uint32_t *index, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        to[i] = from[index[i]];
+}
+
+static void scatter(double *to, const double *from,
+                    const uint32_t *index, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        to[index[i]] = from[i];
+}
+
+static void scatter32(uint32_t *to, const uint32_t *from,
+                      const uint32_t *index, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        to[index[i]] = from[i];
+}
+//<
+
+//> Scan one by one
+static uint32_t scan(uint32_t *to, const uint32_t *from, uint32_t n,
+                     uint32_t sum)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t here = from[i]; // to may be from
+        to[i] = sum;
+        sum += here;
+    }
+    return sum;
+}
+//<
+
+//> Pack without a branch
+static uint32_t pack(uint32_t *to, const uint32_t *from,
+                     const uint8_t *keep, uint32_t n)
+{
+    uint32_t k = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        to[k] = from[i]; // the next one overwrites it, or not
+        k += keep[i];
+    }
+    return k;
+}
+//<
+
+//> List the portable primitives
+const struct primitives portable_primitives = {
+    .isa = PORTABLE,
+    .add = add,
+    .gather = gather,
+    .gather32 = gather32,
+    .scatter = scatter,
+    .scatter32 = scatter32,
+    .scan = scan,
+    .pack = pack,
+};
+//<
+//<

@@ -1,0 +1,44 @@
+//> Declare the primitives
+// What a vector machine does with whole arrays: elementwise arithmetic,
+// routes (gather and scatter), scan and pack. One table of functions
+// for each instruction set; all give the same results, to the last bit.
+// Arrays overlap only where it says so.
+#pragma once
+#include "common/isa.h"
+#include <stdint.h>
+
+struct primitives {
+    enum isa isa;
+
+    // to[i] = a[i] + b[i]; to may be a or b.
+    void (*add)(double *to, const double *a, const double *b,
+                uint32_t n);
+
+    // to[i] = from[index[i]]; to may be from where no index[i] < i.
+    void (*gather)(double *to, const double *from,
+                   const uint32_t *index, uint32_t n);
+    void (*gather32)(uint32_t *to, const uint32_t *from,
+                     const uint32_t *index, uint32_t n);
+
+    // to[index[i]] = from[i]; of equal indices the last i wins.
+    void (*scatter)(double *to, const double *from,
+                    const uint32_t *index, uint32_t n);
+    void (*scatter32)(uint32_t *to, const uint32_t *from,
+                      const uint32_t *index, uint32_t n);
+
+    // to[i] = sum + from[0] + ... + from[i-1], modulo 2^32. Returns
+    // sum + from[0] + ... + from[n-1]. to may be from.
+    uint32_t (*scan)(uint32_t *to, const uint32_t *from, uint32_t n,
+                     uint32_t sum);
+
+    // Moves those from[i] whose keep[i] is 1, not 0, to the front of
+    // to[0 .. n-1], in order, and returns how many. Up to SPILL numbers
+    // behind them are overwritten. to may be from.
+    uint32_t (*pack)(uint32_t *to, const uint32_t *from,
+                     const uint8_t *keep, uint32_t n);
+};
+enum { SPILL = 16 };
+
+// The table for an instruction set that is present.
+const struct primitives *primitives(enum isa isa);
+//<

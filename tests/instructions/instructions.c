@@ -1,0 +1,24 @@
+// The vector code of the book with every instruction emulated in plain
+// C, so that it is tested on machines without these instructions, too.
+// Each source is compiled here once more under another name, with the
+// <immintrin.h> of the folder emulated/.
+#include "ch06-pack-scan/check_primitives.h"
+
+extern const struct primitives emulated_avx2_primitives;
+extern const struct primitives emulated_avx512_primitives;
+
+static void avx2_primitives_emulated(void)
+{
+    check_primitives(&emulated_avx2_primitives, "emulated avx2");
+}
+
+static void avx512_primitives_emulated(void)
+{
+    check_primitives(&emulated_avx512_primitives, "emulated avx512");
+}
+
+int main(void)
+{
+    return RUN_TESTS("instructions", TEST(avx2_primitives_emulated),
+                     TEST(avx512_primitives_emulated));
+}
