@@ -142,7 +142,8 @@ static struct points_in prepare(uint32_t n, uint32_t cells,
     }
     notes = kit_output("the notes", 1, sizeof *notes);
     *notes = (struct notes){.chance = {seed + 1}};
-    return (struct points_in){n, kit_input("cell", n, sizeof(uint32_t))};
+    return (struct points_in){n,
+                              kit_input("cell", n, sizeof(uint32_t))};
 }
 
 static struct points_in scattered(uint32_t n, uint32_t cells,
@@ -208,8 +209,7 @@ static struct bill add_up(struct points_in points)
     return bill;
 }
 
-static const char *cost_cause(struct points_in points,
-                              struct bill bill)
+static const char *cost_cause(struct points_in points, struct bill bill)
 {
     for (int calls = 2; calls <= 4; calls++) {
         uint64_t one = (uint64_t)calls * (STARTUP + 1);
@@ -236,8 +236,7 @@ static void check_cycles(struct points_in points)
         WRONG(.expected = kit_text("at most %ju cycles, in %ju rounds",
                                    (uintmax_t)bill.cycles,
                                    (uintmax_t)bill.rounds),
-              .found = kit_text("%ju cycles",
-                                (uintmax_t)notes->cycles),
+              .found = kit_text("%ju cycles", (uintmax_t)notes->cycles),
               .cause = cost_cause(points, bill));
     kit_next_case();
 }

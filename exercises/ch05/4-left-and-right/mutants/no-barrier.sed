@@ -1,0 +1,3 @@
+# Whoever comes first sums, though others still count.
+# expect: it takes a barrier
+/#pragma omp barrier/d

@@ -1,0 +1,4 @@
+# n / threads is rounded down.
+# expect: the last points are nobody's
+s/(uint64_t)n \* t \/ all/n \/ all * t/
+s/(uint64_t)n \* (t + 1) \/ all/n \/ all * (t + 1)/
