@@ -1,0 +1,5 @@
+# Scans the zeros, for which the flags have to be turned round.
+# expect: Scan them as they
+s/scan(flags)/scan(subtract(constant(n, 1), flags))/
+s/n - ones.total/ones.total/
+s/choose(flags, add(first, ones.before), zeros)/choose(flags, add(first, zeros), ones.before)/

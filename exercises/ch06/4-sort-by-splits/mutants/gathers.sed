@@ -1,0 +1,3 @@
+# Takes places for sources.
+# expect: scatter, not gather
+s/scatter(/gather(/

@@ -1,0 +1,3 @@
+# Leaves out the highest bit.
+# expect: highest bit was left out
+s/k < bits;/k < bits - 1;/
