@@ -3,7 +3,8 @@
 // moved.
 #include "exercise.h"
 
-void unpack(uint32_t n, const bool *keep, double *values, double hole)
+void unpack(uint32_t n, const uint8_t *keep, double *values,
+            double hole)
 {
     //- solution
     uint32_t left = 0;

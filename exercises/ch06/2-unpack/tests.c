@@ -8,7 +8,7 @@
 enum { MOST = 5000 };
 static const double hole = -1;
 
-static uint32_t count(uint32_t n, const bool *keep)
+static uint32_t count(uint32_t n, const uint8_t *keep)
 {
     uint32_t survivors = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -17,7 +17,7 @@ static uint32_t count(uint32_t n, const bool *keep)
 }
 
 // The mistakes that are known, each done to a copy of the array.
-static void unpack_right(uint32_t n, const bool *keep,
+static void unpack_right(uint32_t n, const uint8_t *keep,
                          const double *packed, double *result)
 {
     uint32_t next = 0;
@@ -25,7 +25,7 @@ static void unpack_right(uint32_t n, const bool *keep,
         result[i] = keep[i] ? packed[next++] : hole;
 }
 
-static void from_the_front(uint32_t n, const bool *keep,
+static void from_the_front(uint32_t n, const uint8_t *keep,
                            const double *packed, double *result)
 {
     memcpy(result, packed, n * sizeof *result);
@@ -34,8 +34,8 @@ static void from_the_front(uint32_t n, const bool *keep,
         result[i] = keep[i] ? result[next++] : hole;
 }
 
-static void no_holes(uint32_t n, const bool *keep, const double *packed,
-                     double *result)
+static void no_holes(uint32_t n, const uint8_t *keep,
+                     const double *packed, double *result)
 {
     memcpy(result, packed, n * sizeof *result);
     uint32_t left = count(n, keep);
@@ -44,7 +44,7 @@ static void no_holes(uint32_t n, const bool *keep, const double *packed,
             result[i] = result[--left];
 }
 
-static void from_the_end(uint32_t n, const bool *keep,
+static void from_the_end(uint32_t n, const uint8_t *keep,
                          const double *packed, double *result)
 {
     memcpy(result, packed, n * sizeof *result);
@@ -53,7 +53,7 @@ static void from_the_end(uint32_t n, const bool *keep,
         result[i] = keep[i] ? result[--left] : hole;
 }
 
-static void turned_round(uint32_t n, const bool *keep,
+static void turned_round(uint32_t n, const uint8_t *keep,
                          const double *packed, double *result)
 {
     uint32_t next = 0;
@@ -61,7 +61,7 @@ static void turned_round(uint32_t n, const bool *keep,
         result[i] = keep[i] ? packed[next++] : hole;
 }
 
-static void one_too_far(uint32_t n, const bool *keep,
+static void one_too_far(uint32_t n, const uint8_t *keep,
                         const double *packed, double *result)
 {
     memcpy(result, packed, n * sizeof *result);
@@ -73,7 +73,7 @@ static void one_too_far(uint32_t n, const bool *keep,
     }
 }
 
-static void not_the_first(uint32_t n, const bool *keep,
+static void not_the_first(uint32_t n, const uint8_t *keep,
                           const double *packed, double *result)
 {
     unpack_right(n, keep, packed, result);
@@ -81,8 +81,8 @@ static void not_the_first(uint32_t n, const bool *keep,
 }
 
 static const struct {
-    void (*unpack)(uint32_t n, const bool *keep, const double *packed,
-                   double *result);
+    void (*unpack)(uint32_t n, const uint8_t *keep,
+                   const double *packed, double *result);
     const char *cause;
 } mistakes[] = {
     {from_the_front,
@@ -103,7 +103,7 @@ static const struct {
                     "too early?"},
 };
 
-static const char *cause(uint32_t n, const bool *keep,
+static const char *cause(uint32_t n, const uint8_t *keep,
                          const double *packed, const double *found)
 {
     static double result[MOST];
@@ -116,7 +116,7 @@ static const char *cause(uint32_t n, const bool *keep,
 }
 
 // Unpacks what a pack in place of 1, 2, 3, ... would have left.
-static void check(uint32_t n, const bool *keep)
+static void check(uint32_t n, const uint8_t *keep)
 {
     static double packed[MOST], right[MOST];
     uint32_t survivors = 0;
@@ -140,16 +140,16 @@ static void check(uint32_t n, const bool *keep)
     kit_next_case();
 }
 
-static bool *flags(uint32_t n)
+static uint8_t *flags(uint32_t n)
 {
-    return kit_input("keep", n, sizeof(bool));
+    return kit_input("keep", n, sizeof(uint8_t));
 }
 
 static void check_random(uint32_t n, double share,
                          struct random *random)
 {
     kit_given("%u values, each kept with probability %g", n, share);
-    bool *keep = flags(n);
+    uint8_t *keep = flags(n);
     for (uint32_t i = 0; i < n; i++)
         keep[i] = random_uniform(random) < share;
     check(n, keep);
@@ -158,7 +158,7 @@ static void check_random(uint32_t n, double share,
 static void one_kept(uint32_t n, uint32_t kept)
 {
     kit_given("%u values, only value %u is kept", n, kept);
-    bool *keep = flags(n);
+    uint8_t *keep = flags(n);
     for (uint32_t i = 0; i < n; i++)
         keep[i] = i == kept;
     check(n, keep);
@@ -192,7 +192,7 @@ static void every_second(uint64_t seed)
     (void)seed;
     for (uint32_t n = 2; n <= 41; n++) {
         kit_given("%u values, every second is kept", n);
-        bool *keep = flags(n);
+        uint8_t *keep = flags(n);
         for (uint32_t i = 0; i < n; i++)
             keep[i] = i % 2;
         check(n, keep);
