@@ -1,0 +1,4 @@
+# Halves an odd number downward.
+# expect: If n is odd
+s/(n + 1) \/ 2/n \/ 2/
+s/i < half - 1;/i + 1 < half;/

@@ -1,0 +1,7 @@
+# The plain loop.
+# expect: Every join waits for the one before it
+/^{/,/^}/c\
+{\
+    for (uint32_t i = 0; i < n; i++)\
+        to[i] = i == 0 ? nothing : join(to[i - 1], from[i - 1]);\
+}
