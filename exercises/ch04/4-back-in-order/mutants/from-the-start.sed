@@ -1,0 +1,3 @@
+# The search for a stranger begins at the first slot every time.
+# expect: begin where the last one was found
+s/while (cell_of(home\[c\]) == c)/home[c] = start[c]; &/

@@ -1,0 +1,3 @@
+# The point that came in exchange is not looked at.
+# expect: look again
+s/while (cell_of(s) != k)/if (cell_of(s) != k)/
