@@ -1,0 +1,3 @@
+# A squared distance is compared with r.
+# expect: compare it with the square of r
+s/measure(i, j) < r \* r/measure(i, j) < r/
