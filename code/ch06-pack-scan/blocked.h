@@ -1,0 +1,19 @@
+//> Declare scan and pack over threads
+// Both go over the array in rounds of one block for each thread, and
+// over every block twice: once to learn what stands before the others,
+// once to do the work. A block that fits into a cache is read from
+// memory only once. The result is the same for any number of threads.
+#pragma once
+#include "ch06-pack-scan/primitives.h"
+
+// As in primitives.h, with blocks of that many numbers; block >= 1,
+// threads >= 1.
+uint32_t scan_blocked(const struct primitives *p, uint32_t *to,
+                      const uint32_t *from, uint32_t n, uint32_t sum,
+                      uint32_t block, int threads);
+
+// The same, except that to and from must not overlap.
+uint32_t pack_blocked(const struct primitives *p, uint32_t *to,
+                      const uint32_t *from, const uint8_t *keep,
+                      uint32_t n, uint32_t block, int threads);
+//<

@@ -1,0 +1,112 @@
+//> Take steps until all have escaped
+// See escape.h.
+#include "ch06-pack-scan/escape.h"
+#include "common/count.h"
+#include "common/fail.h"
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+//> Make room for lanes
+struct lanes lanes_allocate(uint32_t most)
+{
+    struct lanes lanes = {
+        .n = 0,
+        .point = allocate(most, sizeof(uint32_t)),
+        .cx = allocate(most, sizeof(double)),
+        .cy = allocate(most, sizeof(double)),
+        .x = allocate(most, sizeof(double)),
+        .y = allocate(most, sizeof(double)),
+        .age = allocate(most, sizeof(double)),
+        .inside = allocate(most, sizeof(uint8_t)),
+        .number = allocate(most, sizeof(uint32_t)),
+        .kept = allocate(most, sizeof(uint32_t)),
+    };
+    for (uint32_t i = 0; i < most; i++)
+        lanes.number[i] = i;
+    return lanes;
+}
+
+void lanes_free(struct lanes *lanes)
+{
+    free(lanes->point);
+    free(lanes->cx);
+    free(lanes->cy);
+    free(lanes->x);
+    free(lanes->y);
+    free(lanes->age);
+    free(lanes->inside);
+    free(lanes->number);
+    free(lanes->kept);
+    *lanes = (struct lanes){0};
+}
+//<
+
+//> Give every point a lane
+static void begin(struct lanes *lanes, struct points c)
+{
+    lanes->n = c.n;
+    for (uint32_t i = 0; i < c.n; i++) {
+        lanes->point[i] = i;
+        lanes->cx[i] = c.x[i];
+        lanes->cy[i] = c.y[i];
+        lanes->x[i] = lanes->y[i] = lanes->age[i] = 0;
+    }
+}
+//<
+
+//> Take a step in every lane
+static void step(struct lanes *lanes)
+{
+    const double *cx = lanes->cx, *cy = lanes->cy;
+    double *x = lanes->x, *y = lanes->y, *age = lanes->age;
+    const uint32_t n = lanes->n;
+#pragma omp simd
+    for (uint32_t i = 0; i < n; i++) {
+        double xx = x[i] * x[i], yy = y[i] * y[i], xy = x[i] * y[i];
+        x[i] = xx - yy + cx[i];
+        y[i] = xy + xy + cy[i];
+        age[i] += xx + yy <= 16 ? 1 : 0;
+    }
+    COUNT(tasks, n);
+}
+//<
+
+//> Pack the lanes
+static void pack_lanes(const struct primitives *p, struct lanes *l)
+{
+    const double *x = l->x, *y = l->y;
+    uint8_t *inside = l->inside;
+    const uint32_t n = l->n;
+#pragma omp simd
+    for (uint32_t i = 0; i < n; i++)
+        inside[i] = x[i] * x[i] + y[i] * y[i] <= 16;
+    l->n = p->pack(l->kept, l->number, inside, n);
+    p->gather32(l->point, l->point, l->kept, l->n);
+    p->gather(l->cx, l->cx, l->kept, l->n);
+    p->gather(l->cy, l->cy, l->kept, l->n);
+    p->gather(l->x, l->x, l->kept, l->n);
+    p->gather(l->y, l->y, l->kept, l->n);
+    p->gather(l->age, l->age, l->kept, l->n);
+}
+//<
+
+//> Step, note the ages, pack
+uint64_t escape(const struct primitives *p, struct points c,
+                uint32_t limit, uint32_t every, struct lanes *lanes,
+                double *steps)
+{
+    uint64_t done = 0;
+    begin(lanes, c);
+    for (uint32_t k = 1; k <= limit && lanes->n > 0; k++) {
+        step(lanes);
+        done += lanes->n;
+        if (k == limit || (every && k % every == 0)) {
+            p->scatter(steps, lanes->age, lanes->point, lanes->n);
+            pack_lanes(p, lanes);
+        }
+    }
+    return done;
+}
+//<
+//<

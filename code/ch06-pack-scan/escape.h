@@ -1,0 +1,28 @@
+//> Declare the escape times
+// The example of chapter 6: how many steps z = z z + c, begun at 0, can
+// be taken from a point c of the plane until |z| > 2. Every point has a
+// lane of a vector, and all lanes take a step together. A point that
+// has escaped keeps its lane busy until the vector is packed.
+#pragma once
+#include "ch06-pack-scan/primitives.h"
+#include "common/points.h"
+
+struct lanes {
+    uint32_t n;                    // how many
+    uint32_t *point;               // whose lane it is
+    double *cx, *cy, *x, *y, *age; // c, z and the steps taken so far
+    uint8_t *inside;               // for packing: |z| <= 2,
+    uint32_t *number, *kept;       // 0, 1, 2, ... and those of them
+};
+
+// Room for that many, to be released with lanes_free.
+struct lanes lanes_allocate(uint32_t most);
+void lanes_free(struct lanes *lanes);
+
+// Sets steps[0 .. c.n-1], at most limit, to the same numbers whether
+// the lanes are packed after every so many steps or, for 0, never.
+// Returns how many steps all lanes did together.
+uint64_t escape(const struct primitives *p, struct points c,
+                uint32_t limit, uint32_t every, struct lanes *lanes,
+                double *steps);
+//<
