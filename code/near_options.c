@@ -3,6 +3,7 @@
 // them, and a count must be a whole number in its range.
 #include "near_options.h"
 #include "common/fail.h"
+#include "common/isa.h"
 #include <ctype.h>
 #include <errno.h>
 #include <getopt.h>
@@ -41,6 +42,9 @@ void print_help(void)
          "trial\n"
          "  --check         compare with a naive search\n"
          "  --list          the algorithms and the distributions\n"
+         "Environment\n"
+         "  NEAR_ISA=NAME   use portable, avx2 or avx512 instructions "
+         "(the most)\n"
          "\n"
          "A FILE has two numbers a line, or is a TSPLIB file. The exit "
          "status is\n"
@@ -272,6 +276,7 @@ static void check_options(const struct options *o, bool generating)
              o->geometry == STANDARD ? "standard" : "wraparound");
     if (o->timing && o->output && strcmp(o->output, "-") == 0)
         fail("--timing and -o - both want standard output");
+    isa_chosen(); // fails if NEAR_ISA makes no sense
 }
 //<
 

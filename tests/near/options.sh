@@ -45,13 +45,20 @@ refuses 'a box that does not wrap' '--box is for -g wraparound' \
 refuses 'two tables in one place' '--timing and -o - both want' \
     -n 10 --timing -o -
 
+export NEAR_ISA=mmx
+refuses 'an unknown instruction set' \
+    'NEAR_ISA: expected portable, avx2 or avx512, found "mmx"' -n 10
+NEAR_ISA=portable
+accepts 'an instruction set' -n 10
+unset NEAR_ISA
+
 accepts 'a number with an exponent' -n 1e2
 accepts 'more threads than cores' -n 100 -t 64
 accepts 'the largest seed' -n 10 -s 18446744073709551615
 accepts '--help' --help
 says 'names every option' '' "$(for option in -n -d -s --columns -a -g --box \
-    -t -r -o --timing --check --list; do
-    grep -q -e "^  $option " "$out" || echo "$option"
+    -t -r -o --timing --check --list NEAR_ISA; do
+    grep -q -e "^  $option[ =]" "$out" || echo "$option"
 done)"
 accepts '--list' --list
 for row in uniform clustered lattice circle kuzmin two-clusters equal collinear; do

@@ -1,0 +1,80 @@
+//> Time packs against the share that is kept
+// With a branch for every element, without one, and by instruction set:
+// nanoseconds an element.
+//
+//     branches [LENGTH [TRIALS]]
+#include "ch02-all-pairs/timing.h"
+#include "ch06-pack-scan/primitives.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/random.h"
+#include "common/report.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+//> Pack with a branch
+static uint32_t pack_branching(uint32_t *to, const uint32_t *from,
+                               const uint8_t *keep, uint32_t n)
+{
+    uint32_t k = 0;
+    for (uint32_t i = 0; i < n; i++)
+        if (keep[i])
+            to[k++] = from[i];
+    return k;
+}
+//<
+
+struct packing {
+    uint32_t (*pack)(uint32_t *, const uint32_t *, const uint8_t *,
+                     uint32_t);
+    uint32_t *to, *from, n;
+    uint8_t *keep;
+};
+
+static void run_packing(void *context)
+{
+    struct packing *p = context;
+    p->pack(p->to, p->from, p->keep, p->n);
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("branches", NULL);
+    uint32_t n = argument(argc, argv, 1, "LENGTH", 1 << 17, 1, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
+    struct packing packing = {NULL, allocate(n, sizeof(uint32_t)),
+                              allocate(n, sizeof(uint32_t)), n,
+                              allocate(n, sizeof(uint8_t))};
+    struct packing branching = packing, portable = packing,
+                   chosen = packing;
+    branching.pack = pack_branching;
+    portable.pack = primitives(PORTABLE)->pack;
+    chosen.pack = primitives(isa_chosen())->pack;
+    struct trial versions[] = {
+        {.work = run_packing, .context = &branching},
+        {.work = run_packing, .context = &portable},
+        {.work = run_packing, .context = &chosen}};
+    enum { VERSIONS = sizeof versions / sizeof *versions };
+
+    report_provenance(stdout);
+    puts("name\tpercent\tbranch_ns\tbranch_ns_q1\tbranch_ns_q3"
+         "\tportable_ns\tportable_ns_q1\tportable_ns_q3"
+         "\tvector_ns\tvector_ns_q1\tvector_ns_q3");
+    for (int percent = 0; percent <= 100; percent += 5) {
+        struct random random = {percent + 1};
+        for (uint32_t i = 0; i < n; i++) {
+            packing.from[i] = i;
+            packing.keep[i] = random_uniform(&random) * 100 < percent;
+        }
+        time_in_turn(trials, versions, VERSIONS);
+        printf("kept_%d\t%d", percent, percent);
+        for (int v = 0; v < VERSIONS; v++)
+            print_summary(&versions[v].summary, n);
+        puts("");
+    }
+    free(packing.to);
+    free(packing.from);
+    free(packing.keep);
+    return 0;
+}
+//<

@@ -1,0 +1,71 @@
+//> Price the primitives, cache by cache
+// Nanoseconds an element of each primitive, with the chosen instruction
+// set, on working sets that fit into a cache with room to spare, and on
+// one that fits into none. In the last columns, the portable ones in
+// the first cache.
+//
+//     prices [TRIALS [LARGEST]]
+#include "ch02-all-pairs/timing.h"
+#include "ch06-pack-scan/caches.h"
+#include "ch06-pack-scan/workload.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <stdio.h>
+
+enum { LEVELS = 4 };
+
+//> Choose working sets
+static void working_sets(size_t bytes[static LEVELS], size_t largest)
+{
+    struct caches caches = caches_of_machine();
+    bytes[0] = caches.l1 / 2;
+    bytes[1] = caches.l2 / 2;
+    bytes[2] = caches.l3 / 4; // others share it
+    bytes[3] = caches.l3 * 8;
+    for (int level = 0; level < LEVELS; level++)
+        bytes[level] = bytes[level] < largest ? bytes[level] : largest;
+}
+//<
+
+//> Price a primitive on every level
+static void print_prices(enum work work, const size_t *bytes,
+                         int trials)
+{
+    const struct primitives *tables[] = {primitives(isa_chosen()),
+                                         primitives(PORTABLE)};
+    struct summary prices[LEVELS][2];
+    for (int level = 0; level < LEVELS; level++) {
+        struct workload workload = workload_make(work, bytes[level]);
+        workload_price(&workload, trials, tables, level ? 1 : 2,
+                       prices[level]);
+        workload_free(&workload);
+    }
+    printf("%s\t%s", work_names[work], isa_names[isa_chosen()]);
+    for (int level = 0; level < LEVELS; level++)
+        print_summary(&prices[level][0], 1);
+    print_summary(&prices[0][1], 1);
+    puts("");
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("prices", NULL);
+    int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
+    size_t bytes[LEVELS];
+    working_sets(bytes, argument(argc, argv, 2, "LARGEST", 1 << 26,
+                                 1 << 16, MANY));
+    report_provenance(stdout);
+    printf("name\tisa");
+    const char *const columns[] = {"l1", "l2", "l3", "memory",
+                                   "portable_l1"};
+    for (int c = 0; c <= LEVELS; c++)
+        printf("\t%s_ns\t%s_ns_q1\t%s_ns_q3", columns[c], columns[c],
+               columns[c]);
+    puts("");
+    for (int work = 0; work < WORKS; work++)
+        print_prices(work, bytes, trials);
+    return 0;
+}
+//<
