@@ -1,0 +1,3 @@
+# A pass reads from the end, but fills the places from the front.
+# expect: from the first to the last
+s/struct record record = get(from, i)/struct record record = get(from, n - 1 - i)/

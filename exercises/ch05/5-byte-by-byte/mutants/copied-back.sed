@@ -1,0 +1,4 @@
+# The result is copied to array 0.
+# expect: copied once more
+s/return from;/for (uint32_t i = 0; from == 1 \&\& i < n; i++) put(0, i, get(1, i));\
+return 0;/
