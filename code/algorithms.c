@@ -8,6 +8,8 @@
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
 #include "ch03-half-pairs/triangle_tiles.h"
+#include "ch04-cell-sort/point_by_point.h"
+#include "ch04-cell-sort/together.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,6 +35,14 @@ const struct algorithm TABLE[] = {
      "eight points at a time", tiles},
     {"triangle-tiles", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
      "n^2/2", "half the pairs in tiles", triangle_tiles},
+    {"cells-lists", 4, STANDARD | WRAPAROUND, NEAREST, "n",
+     "a list for every cell", cells_lists},
+    {"cells-indices", 4, STANDARD | WRAPAROUND, NEAREST, "n",
+     "indices sorted by cell", cells_indices},
+    {"cells-sorted", 4, STANDARD | WRAPAROUND, NEAREST, "n",
+     "points sorted by cell", cells_sorted},
+    {"cells", 4, STANDARD | WRAPAROUND, NEAREST, "n",
+     "a cell's points together", cells_together},
 };
 //<
 

@@ -56,6 +56,14 @@ static inline struct block block_around(const struct grid *grid,
         axis_reach(&grid->y, cell / grid->x.count, radius)};
 }
 
+// Cell k of a reach, 0 <= k < count.
+static inline uint32_t reach_cell(const struct axis *axis,
+                                  const struct reach *reach, uint32_t k)
+{
+    uint32_t cell = reach->first + k;
+    return cell < axis->count ? cell : cell - axis->count;
+}
+
 static inline double least(double a, double b)
 {
     return a < b ? a : b;

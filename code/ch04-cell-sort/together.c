@@ -12,33 +12,30 @@ static const double points_per_cell = 2;
 //> Hold a few points of a cell
 struct asking {
     double x[ASKING], y[ASKING], best2[ASKING];
-    int64_t self[ASKING], nearest[ASKING]; // indices
+    double self[ASKING], nearest[ASKING]; // indices
 };
 //<
 
 //> Show a stretch of candidates to all who ask
 INLINED void sweep(const enum geometry geometry, struct space space,
                    struct points sorted, const uint32_t *point,
-                   uint32_t begin, uint32_t end, struct asking *asking)
+                   uint32_t begin, uint32_t end, struct asking *a)
 {
-    struct asking a =
-        *asking; // a copy, so that it may live in registers
     for (uint32_t s = begin; s < end; s++) {
-        const int64_t j = point[s];
+        const double j = point[s];
 #pragma omp simd
         for (int lane = 0; lane < ASKING; lane++) {
-            double d2 = pair2(geometry, space, sorted.x[s] - a.x[lane],
-                              sorted.y[s] - a.y[lane])
+            double d2 = pair2(geometry, space, sorted.x[s] - a->x[lane],
+                              sorted.y[s] - a->y[lane])
                             .near2;
             bool better =
-                ((d2 < a.best2[lane]) |
-                 ((d2 == a.best2[lane]) & (j < a.nearest[lane]))) &
-                (j != a.self[lane]);
-            a.best2[lane] = better ? d2 : a.best2[lane];
-            a.nearest[lane] = better ? j : a.nearest[lane];
+                ((d2 < a->best2[lane]) |
+                 ((d2 == a->best2[lane]) & (j < a->nearest[lane]))) &
+                (j != a->self[lane]);
+            a->best2[lane] = better ? d2 : a->best2[lane];
+            a->nearest[lane] = better ? j : a->nearest[lane];
         }
     }
-    *asking = a;
     COUNT(distances, (uint64_t)(end - begin) * ASKING);
 }
 //<
@@ -69,6 +66,26 @@ INLINED void sweep_block(const enum geometry geometry,
 }
 //<
 
+//> Seat the points that ask
+// Spare lanes have found what they want.
+INLINED void seat(struct asking *a, struct points sorted,
+                  const uint32_t *point, uint32_t begin, uint32_t last,
+                  int width)
+{
+#pragma omp simd
+    for (int lane = 0; lane < ASKING; lane++) {
+        uint64_t s = (uint64_t)begin + lane;
+        if (s > last)
+            s = last;
+        a->x[lane] = sorted.x[s];
+        a->y[lane] = sorted.y[s];
+        a->self[lane] = point[s];
+        a->best2[lane] = lane < width ? INFINITY : -INFINITY;
+        a->nearest[lane] = UINT32_MAX;
+    }
+}
+//<
+
 //> Ask until the block suffices
 INLINED void ask(const enum geometry geometry,
                  const struct question *question,
@@ -77,29 +94,29 @@ INLINED void ask(const enum geometry geometry,
                  int width, struct answers *answers)
 {
     struct asking asking;
-    for (int lane = 0; lane < ASKING; lane++) { // spare ones ask twice
-        uint32_t s = begin + (lane < width ? lane : width - 1);
-        asking.x[lane] = sorted.x[s];
-        asking.y[lane] = sorted.y[s];
-        asking.self[lane] = cells->point[s];
-        asking.best2[lane] = INFINITY;
-        asking.nearest[lane] = UINT32_MAX;
-    }
+    if (sorted.n - begin >= ASKING)
+        seat(&asking, sorted, cells->point, begin, UINT32_MAX, width);
+    else
+        seat(&asking, sorted, cells->point, begin, sorted.n - 1, width);
     bool enough = false;
     for (uint32_t radius = 1; !enough; radius *= 2) {
         struct block block = block_around(grid, cell, radius);
         sweep_block(geometry, question, grid, cells, sorted, &block,
                     &asking);
-        enough = true;
-        for (int lane = 0; lane < ASKING; lane++)
-            enough &= block_suffices(asking.best2[lane],
-                                     block_margin(grid, &block,
-                                                  asking.x[lane],
-                                                  asking.y[lane]));
+        double lacking = 0;
+#pragma omp simd reduction(+ : lacking)
+        for (int lane = 0; lane < ASKING; lane++) {
+            double m = block_margin(grid, &block, asking.x[lane],
+                                    asking.y[lane]);
+            lacking += asking.best2[lane] < m * m ? 0 : 1;
+        }
+        enough = lacking == 0 || (block.x.count == grid->x.count &&
+                                  block.y.count == grid->y.count);
     }
     for (int lane = 0; lane < width; lane++) {
-        answers->nearest[asking.self[lane]] = asking.nearest[lane];
-        answers->nearest2[asking.self[lane]] = asking.best2[lane];
+        uint32_t i = cells->point[begin + lane];
+        answers->nearest[i] = asking.nearest[lane];
+        answers->nearest2[i] = asking.best2[lane];
     }
 }
 //<
