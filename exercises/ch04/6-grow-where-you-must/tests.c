@@ -243,43 +243,39 @@ static double gap(const double *border, uint32_t own, uint32_t k,
     return k < own ? x - border[k + 1] : k > own ? border[k] - x : 0;
 }
 
-static const char *cost_cause(uint32_t i, double gap)
+// How far a cell is from the point that asks, in x or in y.
+static double away_from(uint32_t i, uint32_t k)
 {
-    double nearest_of_own =
-        search(i, column_of[i], column_of[i], row_of[i], row_of[i])
-            .nearest2;
-    if (nearest_of_own == search_all(i).nearest2 && gap > 0)
-        return "The nearest is in the point's own cell. Look there "
-               "before you look anywhere else, then beyond the "
-               "nearest border first, and only if you must.";
-    return "Each side has a border of its own. Grow on the side whose "
-           "border is nearest of all: what you find there may make "
-           "this cell needless.";
+    return fmax(
+        gap(grid.column_border, column_of[i], k % grid.columns,
+            points.x[i]),
+        gap(grid.row_border, row_of[i], k / grid.columns, points.y[i]));
 }
 
 static void check_square(void)
 {
     check_once();
-    for (uint32_t i = 0; i < points.n; i++)
+    for (uint32_t i = 0; i < points.n; i++) {
+        double d2 = search_all(i).nearest2;
         for (uint32_t k = 0; k < cells(); k++) {
-            uint32_t column = k % grid.columns, row = k / grid.columns;
-            double d2 = search_all(i).nearest2;
-            double dx = gap(grid.column_border, column_of[i], column,
-                            points.x[i]);
-            double dy =
-                gap(grid.row_border, row_of[i], row, points.y[i]);
-            double away = fmax(dx, dy);
+            double away = away_from(i, k);
             if (looks_of(i)[k] == 0 || away * away <= d2)
                 continue;
             WRONG(.where = tell_asking(i),
-                  .expected = kit_text("cells less than %.6g away, the "
+                  .expected = kit_text("cells at most %.6g away, the "
                                        "distance to the nearest",
                                        sqrt(d2)),
                   .found = kit_text("a look at cell (%u, %u), %.6g "
                                     "away",
-                                    column, row, away),
-                  .cause = cost_cause(i, away));
+                                    k % grid.columns, k / grid.columns,
+                                    away),
+                  .cause =
+                      "Begin with the point's own cell. Then each side "
+                      "has a border of its own: grow on the side whose "
+                      "border is nearest of all. What you find there "
+                      "may make this cell needless.");
         }
+    }
 }
 
 // ---- the sets ------------------------------------------------------
