@@ -1,0 +1,3 @@
+# No elements begin a segment.
+# expect: no segment begins
+s/begins = false/begins = true/
