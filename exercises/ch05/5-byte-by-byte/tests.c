@@ -70,34 +70,34 @@ static const struct record *draw(uint32_t n, uint32_t mask,
     return records;
 }
 
-// What several sorts would answer: by some bits of the key only, by
-// the bytes from the highest, with every pass backward.
+// What several sorts would answer: by some bytes only, from the
+// highest byte down, with every pass backward.
 enum rule { STRAIGHT, HIGHEST_FIRST, BACKWARD };
 
-static void sort_by(struct record *records, uint32_t n, int shift,
-                    uint32_t mask, bool backward)
-{
-    struct record *sorted =
-        kit_input("a copy", n, sizeof(struct record));
-    uint32_t to = 0;
-    for (uint32_t value = 0; value <= mask; value++)
-        for (uint32_t k = 0; k < n; k++) {
-            uint32_t i = backward ? n - 1 - k : k;
-            if ((records[i].key >> shift & mask) == value)
-                sorted[to++] = records[i];
-        }
-    memcpy(records, sorted, n * sizeof *records);
-}
-
-static struct record *sorted(const struct record *records, uint32_t n,
-                             int low, int high, enum rule rule)
+static void sort_by(struct record *records, uint32_t n, int byte,
+                    bool backward)
 {
     struct record *copy = kit_input("a copy", n, sizeof *copy);
     memcpy(copy, records, n * sizeof *copy);
-    for (int k = low; k < high; k++)
-        sort_by(copy, n, 8 * (rule == HIGHEST_FIRST ? 3 - k : k), 0xff,
+    uint32_t to = 0;
+    for (uint32_t value = 0; value < 256; value++)
+        for (uint32_t k = 0; k < n; k++) {
+            uint32_t i = backward ? n - 1 - k : k;
+            if ((copy[i].key >> 8 * byte & 0xff) == value)
+                records[to++] = copy[i];
+        }
+}
+
+// Sorted by the bytes from low up to, not including, high.
+static struct record *sorted(const struct record *records, uint32_t n,
+                             int low, int high, enum rule rule)
+{
+    struct record *sorted = kit_input("a copy", n, sizeof *sorted);
+    memcpy(sorted, records, n * sizeof *sorted);
+    for (int b = low; b < high; b++)
+        sort_by(sorted, n, rule == HIGHEST_FIRST ? BYTES - 1 - b : b,
                 rule == BACKWARD);
-    return copy;
+    return sorted;
 }
 
 static bool same(const struct record *a, const struct record *b,
