@@ -10,6 +10,8 @@
 #include "ch03-half-pairs/triangle_tiles.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch04-cell-sort/together.h"
+#include "ch05-collisions/bands.h"
+#include "ch05-collisions/groups.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,8 +43,12 @@ const struct algorithm TABLE[] = {
      "indices sorted by cell", cells_indices},
     {"cells-sorted", 4, STANDARD | WRAPAROUND, NEAREST, "n",
      "points sorted by cell", cells_sorted},
+    {"cells-groups", 5, STANDARD | WRAPAROUND, NEAREST, "n",
+     "sorted 64 at a time", cells_groups},
     {"cells", 4, STANDARD | WRAPAROUND, NEAREST, "n",
      "a cell's points together", cells_together},
+    {"cells-threads", 5, STANDARD | WRAPAROUND, NEAREST, "n",
+     "sorted by all threads", cells_threads},
 };
 //<
 

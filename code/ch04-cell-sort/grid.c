@@ -57,14 +57,18 @@ void axis_free(struct axis *axis)
 }
 
 //> Find the box of the points
-static void extent(const double *values, uint32_t n, double *low,
-                   double *high)
+static void extent(const double *values, uint32_t n, int threads,
+                   double *low, double *high)
 {
-    *low = *high = values[0];
+    double least = values[0], most = values[0];
+#pragma omp parallel num_threads(threads)
+#pragma omp for reduction(min : least) reduction(max : most)
     for (uint32_t i = 1; i < n; i++) {
-        *low = values[i] < *low ? values[i] : *low;
-        *high = values[i] > *high ? values[i] : *high;
+        least = values[i] < least ? values[i] : least;
+        most = values[i] > most ? values[i] : most;
     }
+    *low = least;
+    *high = most;
 }
 //<
 
@@ -87,8 +91,8 @@ struct grid grid_fit(const struct question *question, double c)
     const struct points p = question->points;
     const struct space space = question->space;
     double left, right, bottom, top;
-    extent(p.x, p.n, &left, &right);
-    extent(p.y, p.n, &bottom, &top);
+    extent(p.x, p.n, question->threads, &left, &right);
+    extent(p.y, p.n, question->threads, &bottom, &top);
     bool wraps = space.geometry == WRAPAROUND;
     double width = wraps ? space.width : right - left;
     double height = wraps ? space.height : top - bottom;

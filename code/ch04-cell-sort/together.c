@@ -7,7 +7,6 @@
 #include "common/count.h"
 
 enum { ASKING = 4, CELLS_PER_TURN = 256 };
-static const double points_per_cell = 2;
 
 //> Hold a few points of a cell
 struct asking {
@@ -153,7 +152,7 @@ void search_together(const struct question *question,
 void cells_together(const struct question *question,
                     struct answers *answers)
 {
-    struct grid grid = grid_fit(question, points_per_cell);
+    struct grid grid = grid_fit(question, POINTS_PER_CELL);
     struct cells cells = cells_sort(&grid, question->points);
     struct points sorted =
         points_in_order(question->points, cells.point);

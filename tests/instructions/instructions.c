@@ -2,10 +2,21 @@
 // C, so that it is tested on machines without these instructions, too.
 // Each source is compiled here once more under another name, with the
 // <immintrin.h> of the folder emulated/.
+#include "ch05-collisions/check_conflict.h"
 #include "ch06-pack-scan/check_primitives.h"
 
 extern const struct primitives emulated_avx2_primitives;
 extern const struct primitives emulated_avx512_primitives;
+
+void emulated_conflict_count(const uint32_t *home, uint32_t n,
+                             uint32_t *count);
+void emulated_conflict_place(const uint32_t *home, uint32_t n,
+                             uint32_t *next, uint32_t *point);
+
+static void conflict_detection_emulated(void)
+{
+    check_conflict(emulated_conflict_count, emulated_conflict_place);
+}
 
 static void avx2_primitives_emulated(void)
 {
@@ -19,6 +30,7 @@ static void avx512_primitives_emulated(void)
 
 int main(void)
 {
-    return RUN_TESTS("instructions", TEST(avx2_primitives_emulated),
+    return RUN_TESTS("instructions", TEST(conflict_detection_emulated),
+                     TEST(avx2_primitives_emulated),
                      TEST(avx512_primitives_emulated));
 }
