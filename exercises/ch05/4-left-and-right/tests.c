@@ -193,7 +193,7 @@ static void check(uint32_t n, int threads, enum manner manner)
         if (missing(n, point) < n || *lefts != solve(n).lefts)
             WRONG(.cause = "The work of threads that did not come was "
                            "left undone. omp_get_num_threads(), inside "
-                           "of the region, says how many there are.");
+                           "of the region, says how many came.");
         break;
     case SLOW:
         kit_given("%u points, %d threads, in slow motion", n, threads);
