@@ -7,8 +7,6 @@
 #include <immintrin.h>
 #include <string.h>
 
-static const struct primitives *const rest = &portable_primitives;
-
 //> Add four at a time
 USE_AVX2
 static void add(double *to, const double *a, const double *b,
@@ -18,46 +16,7 @@ static void add(double *to, const double *a, const double *b,
     for (uint32_t i = 0; i < whole; i += 4)
         _mm256_storeu_pd(to + i, _mm256_add_pd(_mm256_loadu_pd(a + i),
                                                _mm256_loadu_pd(b + i)));
-    rest->add(to + whole, a + whole, b + whole, n - whole);
-}
-//<
-
-//> Load four indices
-// The instruction takes them as signed numbers: 32 bits would not do.
-USE_AVX2
-static __m256i four(const uint32_t *index)
-{
-    return _mm256_cvtepu32_epi64(
-        _mm_loadu_si128((const __m128i *)index));
-}
-//<
-
-//> Gather four at a time
-USE_AVX2
-static void gather(double *to, const double *from,
-                   const uint32_t *index, uint32_t n)
-{
-    uint32_t whole = n / 4 * 4;
-    for (uint32_t i = 0; i < whole; i += 4)
-        _mm256_storeu_pd(to + i,
-                         _mm256_i64gather_pd(from, four(index + i), 8));
-    for (uint32_t i = whole; i < n; i++) // indices count from `from`
-        to[i] = from[index[i]];
-}
-//<
-
-//> Gather four 32-bit numbers at a time
-USE_AVX2
-static void gather32(uint32_t *to, const uint32_t *from,
-                     const uint32_t *index, uint32_t n)
-{
-    uint32_t whole = n / 4 * 4;
-    for (uint32_t i = 0; i < whole; i += 4)
-        _mm_storeu_si128((__m128i *)(to + i),
-                         _mm256_i64gather_epi32((const int *)from,
-                                                four(index + i), 4));
-    for (uint32_t i = whole; i < n; i++)
-        to[i] = from[index[i]];
+    portable_add(to + whole, a + whole, b + whole, n - whole);
 }
 //<
 
@@ -93,7 +52,7 @@ static uint32_t scan(uint32_t *to, const uint32_t *from, uint32_t n,
             before, _mm256_permutevar8x32_epi32(up_to, last));
     }
     sum = (uint32_t)_mm256_cvtsi256_si32(before);
-    return rest->scan(to + whole, from + whole, n - whole, sum);
+    return portable_scan(to + whole, from + whole, n - whole, sum);
 }
 //<
 
@@ -115,31 +74,19 @@ static uint32_t pack(uint32_t *to, const uint32_t *from,
         k += (uint32_t)__builtin_popcountll(flags);
     }
     return k +
-           rest->pack(to + k, from + whole, keep + whole, n - whole);
+           portable_pack(to + k, from + whole, keep + whole, n - whole);
 }
 //<
 
 //> List the primitives in AVX2
-// There is no instruction to scatter: one at a time, as in plain C.
-static void scatter(double *to, const double *from,
-                    const uint32_t *index, uint32_t n)
-{
-    rest->scatter(to, from, index, n);
-}
-
-static void scatter32(uint32_t *to, const uint32_t *from,
-                      const uint32_t *index, uint32_t n)
-{
-    rest->scatter32(to, from, index, n);
-}
-
+// A route is a load or a store for each element, and plain C has both.
 const struct primitives avx2_primitives = {
     .isa = AVX2,
     .add = add,
-    .gather = gather,
-    .gather32 = gather32,
-    .scatter = scatter,
-    .scatter32 = scatter32,
+    .gather = portable_gather,
+    .gather32 = portable_gather32,
+    .scatter = portable_scatter,
+    .scatter32 = portable_scatter32,
     .scan = scan,
     .pack = pack,
 };

@@ -1,23 +1,37 @@
 //> Ask for the sizes of the caches
 // See caches.h.
 #include "ch06-pack-scan/caches.h"
-#include <unistd.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
 
-static size_t reported(long bytes, size_t otherwise)
+// The first word of a file about cache number index.
+static bool read_word(int index, const char *file, char word[static 32])
 {
-    return bytes > 0 ? (size_t)bytes : otherwise;
+    char path[80];
+    snprintf(path, sizeof path,
+             "/sys/devices/system/cpu/cpu0/cache/index%d/%s", index,
+             file);
+    FILE *in = fopen(path, "r");
+    bool read = in && fscanf(in, "%31s", word) == 1;
+    if (in)
+        fclose(in);
+    return read;
 }
 
 struct caches caches_of_machine(void)
 {
-    long l1 = 0, l2 = 0, l3 = 0;
-#ifdef _SC_LEVEL1_DCACHE_SIZE
-    l1 = sysconf(_SC_LEVEL1_DCACHE_SIZE);
-    l2 = sysconf(_SC_LEVEL2_CACHE_SIZE);
-    l3 = sysconf(_SC_LEVEL3_CACHE_SIZE);
-#endif
-    return (struct caches){reported(l1, 32 << 10),
-                           reported(l2, 512 << 10),
-                           reported(l3, 8 << 20)};
+    size_t sizes[3] = {32, 512, 8192}; // in units of 1024 bytes
+    char level[32], type[32], size[32];
+    for (int index = 0; read_word(index, "level", level) &&
+                        read_word(index, "type", type) &&
+                        read_word(index, "size", size);
+         index++) {
+        size_t number = level[0] - '1';
+        if (number < 3 && strcmp(type, "Instruction") != 0)
+            sscanf(size, "%zuK", &sizes[number]);
+    }
+    return (struct caches){sizes[0] << 10, sizes[1] << 10,
+                           sizes[2] << 10};
 }
 //<

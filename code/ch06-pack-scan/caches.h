@@ -1,6 +1,8 @@
 //> Declare the caches
-// The sizes of the data caches in bytes, as the C library reports them;
-// where it does not, those of an ordinary processor.
+// The sizes of the first processor's data caches in bytes, as Linux
+// reports them; elsewhere, those of an ordinary processor. (The C
+// library knows them, too, but on a machine cut out of a larger one it
+// may take the larger one's third cache for ours.)
 #pragma once
 #include <stddef.h>
 

@@ -5,7 +5,20 @@
 #include "common/fail.h"
 #include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
+
+//> Lay points over the plane
+struct points picture(uint32_t width, uint32_t height)
+{
+    struct points c = points_allocate(width * height);
+    for (uint32_t row = 0; row < height; row++)
+        for (uint32_t column = 0; column < width; column++) {
+            uint32_t i = row * width + column;
+            c.x[i] = -2.2 + 3 * (column + 0.5) / width;
+            c.y[i] = 1.125 - 2.25 * (row + 0.5) / height;
+        }
+    return c;
+}
+//<
 
 //> Make room for lanes
 struct lanes lanes_allocate(uint32_t most)

@@ -1,7 +1,7 @@
 //> Declare the escape times
 // The example of chapter 6: how many steps z = z z + c, begun at 0, can
-// be taken from a point c of the plane until |z| > 2. Every point has a
-// lane of a vector, and all lanes take a step together. A point that
+// be taken from a point c of the plane before |z| > 4. Every point has
+// a lane of a vector, and all lanes take a step together. A point that
 // has escaped keeps its lane busy until the vector is packed.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
@@ -11,9 +11,14 @@ struct lanes {
     uint32_t n;                    // how many
     uint32_t *point;               // whose lane it is
     double *cx, *cy, *x, *y, *age; // c, z and the steps taken so far
-    uint8_t *inside;               // for packing: |z| <= 2,
+    uint8_t *inside;               // for packing: |z| <= 4,
     uint32_t *number, *kept;       // 0, 1, 2, ... and those of them
 };
+
+// The points of a picture, row by row from the top: width by height
+// small squares that cover -2.2 <= x <= 0.8, -1.125 <= y <= 1.125. To
+// be released with points_free.
+struct points picture(uint32_t width, uint32_t height);
 
 // Room for that many, to be released with lanes_free.
 struct lanes lanes_allocate(uint32_t most);

@@ -3,8 +3,8 @@
 #include "ch06-pack-scan/portable.h"
 
 //> Add element by element
-static void add(double *to, const double *a, const double *b,
-                uint32_t n)
+void portable_add(double *to, const double *a, const double *b,
+                  uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
         to[i] = a[i] + b[i];
@@ -12,8 +12,8 @@ static void add(double *to, const double *a, const double *b,
 //<
 
 //> Gather through an index
-static void gather(double *to, const double *from,
-                   const uint32_t *index, uint32_t n)
+void portable_gather(double *to, const double *from,
+                     const uint32_t *index, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
         to[i] = from[index[i]];
@@ -21,22 +21,22 @@ static void gather(double *to, const double *from,
 //<
 
 //> Gather and scatter the rest
-static void gather32(uint32_t *to, const uint32_t *from,
-                     const uint32_t *index, uint32_t n)
+void portable_gather32(uint32_t *to, const uint32_t *from,
+                       const uint32_t *index, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
         to[i] = from[index[i]];
 }
 
-static void scatter(double *to, const double *from,
-                    const uint32_t *index, uint32_t n)
+void portable_scatter(double *to, const double *from,
+                      const uint32_t *index, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
         to[index[i]] = from[i];
 }
 
-static void scatter32(uint32_t *to, const uint32_t *from,
-                      const uint32_t *index, uint32_t n)
+void portable_scatter32(uint32_t *to, const uint32_t *from,
+                        const uint32_t *index, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
         to[index[i]] = from[i];
@@ -44,8 +44,8 @@ static void scatter32(uint32_t *to, const uint32_t *from,
 //<
 
 //> Scan one by one
-static uint32_t scan(uint32_t *to, const uint32_t *from, uint32_t n,
-                     uint32_t sum)
+uint32_t portable_scan(uint32_t *to, const uint32_t *from, uint32_t n,
+                       uint32_t sum)
 {
     for (uint32_t i = 0; i < n; i++) {
         uint32_t here = from[i]; // to may be from
@@ -57,8 +57,8 @@ static uint32_t scan(uint32_t *to, const uint32_t *from, uint32_t n,
 //<
 
 //> Pack without a branch
-static uint32_t pack(uint32_t *to, const uint32_t *from,
-                     const uint8_t *keep, uint32_t n)
+uint32_t portable_pack(uint32_t *to, const uint32_t *from,
+                       const uint8_t *keep, uint32_t n)
 {
     uint32_t k = 0;
     for (uint32_t i = 0; i < n; i++) {
@@ -72,13 +72,13 @@ static uint32_t pack(uint32_t *to, const uint32_t *from,
 //> List the portable primitives
 const struct primitives portable_primitives = {
     .isa = PORTABLE,
-    .add = add,
-    .gather = gather,
-    .gather32 = gather32,
-    .scatter = scatter,
-    .scatter32 = scatter32,
-    .scan = scan,
-    .pack = pack,
+    .add = portable_add,
+    .gather = portable_gather,
+    .gather32 = portable_gather32,
+    .scatter = portable_scatter,
+    .scatter32 = portable_scatter32,
+    .scan = portable_scan,
+    .pack = portable_pack,
 };
 //<
 //<

@@ -21,8 +21,8 @@ static void working_sets(size_t bytes[static LEVELS], size_t largest)
     struct caches caches = caches_of_machine();
     bytes[0] = caches.l1 / 2;
     bytes[1] = caches.l2 / 2;
-    bytes[2] = caches.l3 / 4; // others share it
-    bytes[3] = caches.l3 * 8;
+    bytes[2] = caches.l3 / 8; // others share it
+    bytes[3] = caches.l3 * 4;
     for (int level = 0; level < LEVELS; level++)
         bytes[level] = bytes[level] < largest ? bytes[level] : largest;
 }
@@ -54,7 +54,7 @@ int main(int argc, char **argv)
     fail_as("prices", NULL);
     int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
     size_t bytes[LEVELS];
-    working_sets(bytes, argument(argc, argv, 2, "LARGEST", 1 << 26,
+    working_sets(bytes, argument(argc, argv, 2, "LARGEST", 1 << 25,
                                  1 << 16, MANY));
     report_provenance(stdout);
     printf("name\tisa");

@@ -46,7 +46,7 @@ static void fill(struct workload *w)
 
 struct workload workload_make(enum work work, size_t bytes)
 {
-    enum { ELEMENTS = 1 << 18 }; // of a trial, at least
+    enum { ELEMENTS = 1 << 20 }; // of a trial, at least
     uint32_t n = bytes / bytes_an_element[work];
     struct workload w = {
         .work = work,

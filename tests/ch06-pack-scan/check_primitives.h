@@ -7,6 +7,7 @@
 #include "common/random.h"
 #include "harness.h"
 #include <string.h>
+#include <sys/mman.h>
 
 // Arrays of up to LONGEST, ALIGNMENTS ways, with as much on either side
 // as a vector could spoil.
@@ -245,4 +246,37 @@ static inline void check_primitives(const struct primitives *p,
             check_pack(p, trying, 0.9, &random);
             check_pack(p, trying, 1, &random);
         }
+}
+
+// Routes through indices of all 32 bits, which some instructions take
+// for signed numbers. The array is 32 GB of addresses and a few pages
+// of memory; where so many are not to be had, nothing is checked.
+static inline void check_far(const struct primitives *p,
+                             const char *isa)
+{
+    const size_t size = sizeof(double) << 32;
+    void *all =
+        mmap(NULL, size, PROT_READ | PROT_WRITE,
+             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (all == MAP_FAILED)
+        return;
+    const uint32_t index[] = {0,          0x7fffffff, 0x80000000,
+                              0xffffffff, 7,          0xfffffff8,
+                              0x80000001, 0xc0000000, 0x40000000};
+    enum { PLACES = sizeof index / sizeof *index };
+    double from[PLACES], to[PLACES];
+    uint32_t from32[PLACES], to32[PLACES];
+    for (int i = 0; i < PLACES; i++)
+        from[i] = from32[i] = i + 1;
+    p->scatter(all, from, index, PLACES);
+    p->gather(to, all, index, PLACES);
+    for (int i = 0; i < PLACES; i++)
+        CHECK_DOUBLE(from[i], to[i], "%s, through index %u", isa,
+                     index[i]);
+    p->scatter32(all, from32, index, PLACES);
+    p->gather32(to32, all, index, PLACES);
+    for (int i = 0; i < PLACES; i++)
+        CHECK_INT(from32[i], to32[i], "%s, 32 bits, through index %u",
+                  isa, index[i]);
+    munmap(all, size);
 }

@@ -1,5 +1,5 @@
 // Pack and scan: the primitives of every instruction set that this
-// machine has, through far indices, over threads; which instruction set
+// machine has, and over threads; which instruction set
 // is chosen; and escape times, packed and not.
 #include "ch06-pack-scan/blocked.h"
 #include "ch06-pack-scan/check_primitives.h"
@@ -8,7 +8,6 @@
 #include "common/generate.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 
 static void every_instruction_set(void)
 {
@@ -17,44 +16,8 @@ static void every_instruction_set(void)
             CHECK_INT(isa, primitives(isa)->isa, "the table for %s",
                       isa_names[isa]);
             check_primitives(primitives(isa), isa_names[isa]);
+            check_far(primitives(isa), isa_names[isa]);
         }
-}
-
-// Indices of 32 bits, which some instructions take for signed ones. The
-// array is 32 GB of addresses and a few pages of memory; where so many
-// addresses are not to be had, nothing is checked.
-static void far_indices(void)
-{
-    const size_t size = sizeof(double) << 32;
-    void *all =
-        mmap(NULL, size, PROT_READ | PROT_WRITE,
-             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (all == MAP_FAILED)
-        return;
-    enum { COUNT_OF = 9 };
-    const uint32_t index[COUNT_OF] = {
-        0,          0x7fffffff, 0x80000000, 0xffffffff, 7,
-        0xfffffff8, 0x80000001, 0xc0000000, 0x40000000};
-    double from[COUNT_OF], to[COUNT_OF], *doubles = all;
-    uint32_t from32[COUNT_OF], to32[COUNT_OF], *numbers = all;
-    for (int i = 0; i < COUNT_OF; i++)
-        from[i] = from32[i] = i + 1;
-    for (int isa = 0; isa < ISA_COUNT; isa++) {
-        if (!isa_present(isa))
-            continue;
-        const struct primitives *p = primitives(isa);
-        p->scatter(doubles, from, index, COUNT_OF);
-        p->gather(to, doubles, index, COUNT_OF);
-        for (int i = 0; i < COUNT_OF; i++)
-            CHECK_DOUBLE(from[i], to[i], "%s, through index %u",
-                         isa_names[isa], index[i]);
-        p->scatter32(numbers, from32, index, COUNT_OF);
-        p->gather32(to32, numbers, index, COUNT_OF);
-        for (int i = 0; i < COUNT_OF; i++)
-            CHECK_INT(from32[i], to32[i], "%s, 32 bits, through %u",
-                      isa_names[isa], index[i]);
-    }
-    munmap(all, size);
 }
 
 // One length over threads: against the portable scan and pack, with
@@ -221,6 +184,6 @@ static void escapes(void)
 int main(void)
 {
     return RUN_TESTS("ch06", TEST(every_instruction_set),
-                     TEST(far_indices), TEST(over_threads),
-                     TEST(instruction_set_by_name), TEST(escapes));
+                     TEST(over_threads), TEST(instruction_set_by_name),
+                     TEST(escapes));
 }

@@ -21,11 +21,13 @@ static void conflict_detection_emulated(void)
 static void avx2_primitives_emulated(void)
 {
     check_primitives(&emulated_avx2_primitives, "emulated avx2");
+    check_far(&emulated_avx2_primitives, "emulated avx2");
 }
 
 static void avx512_primitives_emulated(void)
 {
     check_primitives(&emulated_avx512_primitives, "emulated avx512");
+    check_far(&emulated_avx512_primitives, "emulated avx512");
 }
 
 int main(void)

@@ -1,0 +1,3 @@
+#!/bin/sh
+# What the lanes of a vector do, with and without packing
+exec "$BUILD/ch06/lanes"

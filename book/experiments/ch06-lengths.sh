@@ -1,0 +1,3 @@
+#!/bin/sh
+# The primitives length by length, nanoseconds an element
+exec "$BUILD/ch06/lengths" ${FULL:+7 134217728}

@@ -1,0 +1,3 @@
+#!/bin/sh
+# The escape times of a picture
+exec "$BUILD/ch06/portrait"

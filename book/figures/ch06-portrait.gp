@@ -1,0 +1,15 @@
+# The points of the plane, darker the longer they are on their way.
+height = 3.0
+load "book/figures/style.gp"
+table = data . "/ch06-portrait.tsv"
+set border 15 ls 10
+unset key; unset grid; unset colorbox
+set size ratio -1
+set palette gray negative
+set cbrange [0:8]
+set autoscale fix
+set xtics ("−2" (-2 + 2.2) / 0.0125, "−1" (-1 + 2.2) / 0.0125, "0" 2.2 / 0.0125) out
+set ytics ("−1" (1 + 1.125) / 0.0125, "0" 1.125 / 0.0125, "1" (1.125 - 1) / 0.0125) out
+set yrange [*:*] reverse
+shade(k) = k >= 256 ? 8 : (log(k) / log(2) - 1.5) * 1.15
+plot table matrix using 1:2:(shade($3)) with image
