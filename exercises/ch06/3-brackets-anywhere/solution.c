@@ -21,10 +21,10 @@ struct stretch join_stretches(struct stretch left, struct stretch right)
     };
     //- starter
     // // Your turn. So far: good enough for the plain loop.
+    // uint32_t sum = left.total + right.total;
     // return (struct stretch){
     //     .begins = right.begins,
-    //     .total = right.begins ? right.total : left.total +
-    //     right.total,
+    //     .total = right.begins ? right.total : sum,
     // };
     //- end
 }

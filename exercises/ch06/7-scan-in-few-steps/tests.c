@@ -124,6 +124,14 @@ static const char *cause(uint32_t n, uint32_t i, struct range found)
            "before the block, or the pair, is missing.";
 }
 
+// What was never set stays nonsense.
+static void look_up_all(uint32_t n, const struct sum *to)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (to[i].name < names)
+            result[i] = sums[to[i].name];
+}
+
 static void call(uint32_t n)
 {
     kit_given("%u elements", n);
@@ -138,9 +146,7 @@ static void call(uint32_t n)
         sums[1 + i] = (struct range){i, i + 1, 0};
     }
     names = 1 + n;
-    CALL(STUDENT(scan)(n, from, to);
-         for (uint32_t i = 0; i < n; i++) if (to[i].name < names)
-             result[i] = sums[to[i].name]);
+    CALL(STUDENT(scan)(n, from, to); look_up_all(n, to));
     report_fault();
     for (uint32_t i = 0; i < n; i++) {
         struct range right = {0, i, 0};
