@@ -95,8 +95,11 @@ static inline double block_margin(const struct grid *grid,
                  reach_margin(&grid->y, &block->y, y));
 }
 
-static inline bool block_suffices(double best2, double margin)
+// Whether the block has all cells of the grid.
+static inline bool block_covers(const struct grid *grid,
+                                const struct block *block)
 {
-    return best2 < margin * margin || margin == INFINITY;
+    return block->x.count == grid->x.count &&
+           block->y.count == grid->y.count;
 }
 //<

@@ -151,7 +151,8 @@ INLINED void ask(const enum geometry geometry, struct space space,
         struct block block = block_around(grid, cell, radius);
         meet_block(geometry, space, holder, &block, meet_cell, asking);
         margin = block_margin(grid, &block, asking->x, asking->y);
-        if (block_suffices(asking->best2, margin))
+        if (asking->best2 < margin * margin ||
+            block_covers(grid, &block))
             break;
     }
 }
@@ -218,6 +219,9 @@ void search_indices(const struct question *question,
                   answers);
 }
 
+#ifdef COUNTING
+#define search_sorted counting_search_sorted
+#endif
 void search_sorted(const struct question *question,
                    const struct grid *grid, const struct cells *cells,
                    struct points sorted, struct answers *answers)

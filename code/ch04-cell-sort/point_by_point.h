@@ -25,6 +25,14 @@ void search_sorted(const struct question *question,
                    const struct grid *grid, const struct cells *cells,
                    struct points sorted, struct answers *answers);
 
+// Its counting twin, for whoever cuts a grid of his own: take the
+// counts with counting_take.
+void counting_search_sorted(const struct question *question,
+                            const struct grid *grid,
+                            const struct cells *cells,
+                            struct points sorted,
+                            struct answers *answers);
+
 // Looks at the nine cells and no further: wrong now and then. Who finds
 // nobody is given NOBODY, at INFINITY.
 void search_untested(const struct question *question,

@@ -109,8 +109,7 @@ INLINED void ask(const enum geometry geometry,
                                     asking.y[lane]);
             lacking += asking.best2[lane] < m * m ? 0 : 1;
         }
-        enough = lacking == 0 || (block.x.count == grid->x.count &&
-                                  block.y.count == grid->y.count);
+        enough = lacking == 0 || block_covers(grid, &block);
     }
     for (int lane = 0; lane < width; lane++) {
         uint32_t i = cells->point[begin + lane];

@@ -186,10 +186,16 @@ static void every_generator(void)
 }
 
 // MOST_POINTS in the environment stops earlier: a sanitizer is slow.
-static void thousands_of_points(void)
+static uint32_t at_most(uint32_t count)
 {
     const char *limit = getenv("MOST_POINTS");
-    uint32_t most = limit ? atoi(limit) : 3000;
+    uint32_t most = limit ? (uint32_t)atoi(limit) : count;
+    return most < count ? most : count;
+}
+
+static void thousands_of_points(void)
+{
+    uint32_t most = at_most(3000);
     for (int d = 0; d < distribution_count; d++)
         for (uint32_t n = 1000; n <= most; n += 2000) {
             test_seed(7);
@@ -218,6 +224,115 @@ static void ties_on_a_coarse_grid(void)
         try_points("coarse grid", points);
         points_free(&points);
     }
+}
+
+// ---- a hundred thousand small cases --------------------------------
+// Up to 40 points, few different coordinates on either axis, not all of
+// them exact in binary; here and there an outlier.
+static struct points draw_case(uint64_t seed)
+{
+    struct random random = {seed};
+    struct points p = points_allocate(2 + random_bits(&random) % 39);
+    int columns = 1 + random_bits(&random) % 9;
+    int rows = 1 + random_bits(&random) % 9;
+    double step = random_bits(&random) % 2 ? 0.125 : 0.1;
+    for (uint32_t i = 0; i < p.n; i++) {
+        p.x[i] = (double)(random_bits(&random) % columns) * step;
+        p.y[i] = (double)(random_bits(&random) % rows) * step;
+    }
+    if (random_bits(&random) % 8 == 0)
+        p.x[random_bits(&random) % p.n] = 1;
+    if (random_bits(&random) % 8 == 0)
+        p.y[random_bits(&random) % p.n] = 1;
+    return p;
+}
+
+static bool same_bits(const void *right, const void *found, size_t size)
+{
+    return !found || memcmp(right, found, size) == 0;
+}
+
+static void try_case(const struct algorithm *row,
+                     const struct question *question,
+                     const struct answers *right)
+{
+    uint32_t n = question->points.n;
+    struct answers found = make_room(n, row->answers);
+    row->run(question, &found);
+    size_t indices = n * sizeof *right->nearest;
+    size_t distances = n * sizeof *right->nearest2;
+    if (!same_bits(right->nearest, found.nearest, indices) ||
+        !same_bits(right->furthest, found.furthest, indices) ||
+        !same_bits(right->nearest2, found.nearest2, distances) ||
+        !same_bits(right->furthest2, found.furthest2, distances)) {
+        CHECK(false, "%s: the same bits", row->name);
+        compare(row->name, question, right, &found);
+    }
+    answers_free(&found);
+}
+
+static void many_small_cases(void)
+{
+    uint32_t cases = at_most(100000);
+    for (uint64_t seed = 0; seed < cases; seed++) {
+        test_seed(seed);
+        struct points points = draw_case(seed);
+        struct answers right = answers_allocate(points.n);
+        for (int g = STANDARD; g <= WRAPAROUND; g++) {
+            struct question question = {points, {g, 1, 1}, 1};
+            search_plainly(&question, &right);
+            for (int row = 0; row < algorithm_count; row++)
+                if (algorithms[row].geometries & g)
+                    try_case(&algorithms[row], &question, &right);
+        }
+        answers_free(&right);
+        points_free(&points);
+    }
+}
+
+// ---- as many points as the linear searches like --------------------
+// Nobody can wait for the plainest search here: the rows of cost n are
+// held against each other, and with fewer points against the tiles.
+// Where cells hold very many points, nobody could wait for them either.
+static void many_points(uint32_t n, const struct algorithm *judge)
+{
+    static const char *const names[] = {"uniform", "clustered",
+                                        "lattice"};
+    for (int d = 0; d < 3; d++)
+        for (int g = STANDARD; g <= WRAPAROUND; g++) {
+            struct points points =
+                generate(find_distribution(names[d]), n, 9);
+            struct question question = {points, wrap_around(points), 2};
+            question.space.geometry = g;
+            struct answers right =
+                make_room(n, NEAREST | (judge->answers & FURTHEST));
+            judge->run(&question, &right);
+            for (int row = 0; row < algorithm_count; row++) {
+                const struct algorithm *a = &algorithms[row];
+                if (a == judge || strcmp(a->cost, "n") != 0 ||
+                    !(a->geometries & g))
+                    continue;
+                struct answers found = make_room(n, a->answers);
+                char what[100];
+                snprintf(what, sizeof what, "%s, %" PRIu32 " %s points",
+                         a->name, n, names[d]);
+                a->run(&question, &found);
+                compare(what, &question, &right, &found);
+                answers_free(&found);
+            }
+            answers_free(&right);
+            points_free(&points);
+        }
+}
+
+static void against_tiles(void)
+{
+    many_points(at_most(10000), find_algorithm("tiles"));
+}
+
+static void against_each_other(void)
+{
+    many_points(at_most(200000), find_algorithm("cells-lists"));
 }
 
 static void points_on_the_borders(void)
@@ -289,10 +404,12 @@ static void outliers_and_zeros(void)
 
 int main(void)
 {
-    return RUN_TESTS(
-        "corpus", TEST(table_is_complete),
-        TEST(uniform_of_every_length), TEST(every_generator),
-        TEST(thousands_of_points), TEST(ties_on_a_coarse_grid),
-        TEST(points_on_the_borders), TEST(every_point_twice),
-        TEST(extreme_coordinates), TEST(outliers_and_zeros));
+    return RUN_TESTS("corpus", TEST(table_is_complete),
+                     TEST(uniform_of_every_length),
+                     TEST(every_generator), TEST(thousands_of_points),
+                     TEST(ties_on_a_coarse_grid),
+                     TEST(points_on_the_borders),
+                     TEST(every_point_twice), TEST(extreme_coordinates),
+                     TEST(outliers_and_zeros), TEST(many_small_cases),
+                     TEST(against_tiles), TEST(against_each_other));
 }
