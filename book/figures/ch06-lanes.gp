@@ -11,6 +11,9 @@ set autoscale fix
 set yrange [*:*] reverse
 set ylabel "step" offset 1
 set xlabel "lane"
-set xtics ("0" 0, "120" 120, "240" 240, "0" 256, "120" 376, "240" 496)
-set title "never packed                                             packed after every eight steps" offset 0,-0.5
-plot table matrix using 1:2:3 with image
+set xtics ("0" 0, "60" 60, "120" 120, "180" 180, \
+  "0" 256, "60" 316, "120" 376, "180" 436)
+set label 1 "never packed" at 120, graph 1.08 center
+set label 2 "packed after every eight steps" at 376, graph 1.08 center
+set tmargin 1.5
+plot table matrix skip 5 using 1:2:3 with image

@@ -12,4 +12,4 @@ set xtics ("−2" (-2 + 2.2) / 0.0125, "−1" (-1 + 2.2) / 0.0125, "0" 2.2 / 0.0
 set ytics ("−1" (1 + 1.125) / 0.0125, "0" 1.125 / 0.0125, "1" (1.125 - 1) / 0.0125) out
 set yrange [*:*] reverse
 shade(k) = k >= 256 ? 8 : (log(k) / log(2) - 1.5) * 1.15
-plot table matrix using 1:2:(shade($3)) with image
+plot table matrix skip 5 using 1:2:(shade($3)) with image

@@ -1,5 +1,7 @@
 //> Write the primitives in plain C
 // See portable.h. A step per element, and no branch but the loop's.
+// Where the compiler does not vectorize a loop, it is asked to unroll
+// it: a short one may take twice as long for where it happens to stand.
 #include "ch06-pack-scan/portable.h"
 
 //> Add element by element
@@ -15,6 +17,7 @@ void portable_add(double *to, const double *a, const double *b,
 void portable_gather(double *to, const double *from,
                      const uint32_t *index, uint32_t n)
 {
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++)
         to[i] = from[index[i]];
 }
@@ -24,6 +27,7 @@ void portable_gather(double *to, const double *from,
 void portable_gather32(uint32_t *to, const uint32_t *from,
                        const uint32_t *index, uint32_t n)
 {
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++)
         to[i] = from[index[i]];
 }
@@ -31,6 +35,7 @@ void portable_gather32(uint32_t *to, const uint32_t *from,
 void portable_scatter(double *to, const double *from,
                       const uint32_t *index, uint32_t n)
 {
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++)
         to[index[i]] = from[i];
 }
@@ -38,6 +43,7 @@ void portable_scatter(double *to, const double *from,
 void portable_scatter32(uint32_t *to, const uint32_t *from,
                         const uint32_t *index, uint32_t n)
 {
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++)
         to[index[i]] = from[i];
 }
@@ -47,6 +53,7 @@ void portable_scatter32(uint32_t *to, const uint32_t *from,
 uint32_t portable_scan(uint32_t *to, const uint32_t *from, uint32_t n,
                        uint32_t sum)
 {
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++) {
         uint32_t here = from[i]; // to may be from
         to[i] = sum;
@@ -61,6 +68,7 @@ uint32_t portable_pack(uint32_t *to, const uint32_t *from,
                        const uint8_t *keep, uint32_t n)
 {
     uint32_t k = 0;
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++) {
         to[k] = from[i]; // the next one overwrites it, or not
         k += keep[i];
