@@ -1,7 +1,7 @@
 # Nanoseconds an element of the primitives against the bytes that they
 # touch, with the sizes of the caches.
 # demo: plot
-height = 3.2
+height = 3.3
 load "book/figures/style.gp"
 table = data . "/ch06-lengths.tsv"
 stats table using "l1" nooutput; l1 = STATS_max / 1024
@@ -21,9 +21,9 @@ do for [c = 1:3] {
 of(name, k) = strcol(1) eq name ? column(k) : NaN
 lines = "gather_at_random scatter_at_random gather_in_order elementwise scan pack"
 array titles[6] = ["gather at random", "scatter at random", "gather in order", "elementwise", "scan", "pack"]
-set multiplot layout 1,2 margins 0.09,0.98,0.15,0.78 spacing 0.03
+set multiplot layout 1,2 margins 0.09,0.98,0.15,0.75 spacing 0.03
 set xlabel "working set, bytes" offset 0,0.3
-set label 10 "portable" at graph 0.05,0.93
+set label 10 "portable" at graph 0.5,1.05 center
 set ylabel "ns an element" offset 1
 set key at screen 0.53,0.995 center top vertical maxrows 3 samplen 2
 plot for [k = 1:6] table using ($2/1024):(of(word(lines, k), "portable_ns")) \

@@ -38,23 +38,42 @@ static void draw(void *context)
 }
 //<
 
-static void print_drawing(struct drawing in_short, uint32_t every,
-                          int trials)
+//> Draw it with every interval, in turn
+// Intervals of 1, 2, 3, 4, 6, 8, 12, ... up to LIMIT, that is, never.
+enum { INTERVALS = 16 };
+
+static void intervals(uint32_t every[static INTERVALS])
 {
-    in_short.every = every;
-    struct drawing in_one = in_short;
-    in_one.length = in_one.c.n;
-    struct trial turns[] = {{.work = draw, .context = &in_short},
-                            {.work = draw, .context = &in_one}};
-    time_in_turn(trials, turns, 2);
+    every[0] = 1;
+    for (int k = 1; k < INTERVALS; k++)
+        every[k] = k % 2 ? 2 << k / 2 : 3 << (k / 2 - 1);
+}
+
+static void draw_in_turn(int trials, struct drawing *drawings,
+                         struct trial *turns)
+{
+    for (int d = 0; d < 2 * INTERVALS; d++)
+        turns[d] =
+            (struct trial){.work = draw, .context = &drawings[d]};
+    time_in_turn(trials, turns, 2 * INTERVALS);
+}
+//<
+
+static void print_rows(const struct drawing *drawings,
+                       const struct trial *turns)
+{
+    const struct points c = drawings->c;
     double useful = 0;
-    for (uint32_t i = 0; i < in_one.c.n; i++)
-        useful += in_one.steps[i];
-    printf("every_%u\t%u\t%.5g\t%.5g", every, every,
-           useful / in_one.c.n, in_one.done / useful);
-    for (int t = 0; t < 2; t++)
-        print_summary(&turns[t].summary, useful);
-    puts("");
+    for (uint32_t i = 0; i < c.n; i++)
+        useful += drawings->steps[i];
+    for (int d = 0; d < 2 * INTERVALS; d += 2) {
+        printf("every_%u\t%u\t%.5g\t%.5g", drawings[d].every,
+               drawings[d].every, useful / c.n,
+               drawings[d].done / useful);
+        print_summary(&turns[d].summary, useful);
+        print_summary(&turns[d + 1].summary, useful);
+        puts("");
+    }
 }
 
 int main(int argc, char **argv)
@@ -64,24 +83,25 @@ int main(int argc, char **argv)
     uint32_t width = argument(argc, argv, 2, "WIDTH", 240, 4, 10000);
     struct points c = picture(width, width / 4 * 3);
     struct lanes lanes = lanes_allocate(c.n);
-    struct drawing drawing = {
-        .p = primitives(isa_chosen()),
-        .c = c,
-        .length = SHORT,
-        .lanes = &lanes,
-        .steps = allocate(c.n, sizeof(double)),
-    };
+    double *steps = allocate(c.n, sizeof *steps);
+    uint32_t every[INTERVALS];
+    intervals(every);
+    struct drawing drawings[2 * INTERVALS];
+    for (int d = 0; d < 2 * INTERVALS; d++)
+        drawings[d] = (struct drawing){.p = primitives(isa_chosen()),
+                                       .c = c,
+                                       .every = every[d / 2],
+                                       .length = d % 2 ? c.n : SHORT,
+                                       .lanes = &lanes,
+                                       .steps = steps};
+    struct trial turns[2 * INTERVALS];
+    draw_in_turn(trials, drawings, turns);
     report_provenance(stdout);
     puts("name\tevery\tuseful\tdone"
          "\tshort_ns\tshort_ns_q1\tshort_ns_q3"
          "\tlong_ns\tlong_ns_q1\tlong_ns_q3");
-    for (uint32_t every = 1; every < LIMIT; every *= 2) {
-        print_drawing(drawing, every, trials);
-        if (every >= 2 && every < LIMIT / 2)
-            print_drawing(drawing, every / 2 * 3, trials);
-    }
-    print_drawing(drawing, LIMIT, trials); // that is, never
-    free(drawing.steps);
+    print_rows(drawings, turns);
+    free(steps);
     lanes_free(&lanes);
     points_free(&c);
     return 0;

@@ -34,22 +34,24 @@ static void gather(double *to, const double *from,
 #define gather portable_gather
 #endif
 
+//> Price the loop and the instruction
 static void print_gathers(enum work work, size_t bytes, int trials)
 {
     struct primitives instruction = portable_primitives;
     if (isa_present(AVX2))
         instruction.gather = gather;
-    const struct primitives *tables[] = {&portable_primitives,
-                                         &instruction};
     struct workload workload = workload_make(work, bytes);
-    struct summary prices[2];
-    workload_price(&workload, trials, tables, 2, prices);
+    struct priced priced[] = {
+        {.primitives = &portable_primitives, .workload = &workload},
+        {.primitives = &instruction, .workload = &workload}};
+    price_in_turn(trials, priced, 2);
     printf("%s_%zu\t%zu", work_names[work], bytes, bytes);
-    print_summary(&prices[0], 1);
-    print_summary(&prices[1], 1);
+    print_summary(&priced[0].ns, 1);
+    print_summary(&priced[1].ns, 1);
     puts("");
     workload_free(&workload);
 }
+//<
 
 int main(int argc, char **argv)
 {

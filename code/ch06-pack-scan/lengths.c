@@ -11,31 +11,43 @@
 #include "common/report.h"
 #include <stdio.h>
 
+//> Price every primitive at one length
+static void print_prices(size_t bytes, int trials)
+{
+    const struct caches caches = caches_of_machine();
+    struct workload workloads[WORKS];
+    struct priced priced[2 * WORKS];
+    for (int work = 0; work < WORKS; work++) {
+        workloads[work] = workload_make(work, bytes);
+        for (int k = 0; k < 2; k++)
+            priced[2 * work + k] = (struct priced){
+                .primitives = primitives(k ? isa_chosen() : PORTABLE),
+                .workload = &workloads[work]};
+    }
+    price_in_turn(trials, priced, 2 * WORKS);
+    for (int work = 0; work < WORKS; work++) {
+        printf("%s\t%zu\t%zu\t%zu\t%zu", work_names[work], bytes,
+               caches.l1, caches.l2, caches.l3);
+        print_summary(&priced[2 * work].ns, 1);
+        print_summary(&priced[2 * work + 1].ns, 1);
+        puts("");
+        workload_free(&workloads[work]);
+    }
+}
+//<
+
 int main(int argc, char **argv)
 {
     fail_as("lengths", NULL);
     int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
     size_t largest =
         argument(argc, argv, 2, "LARGEST", 1 << 24, 1 << 12, MANY);
-    const struct primitives *tables[] = {primitives(PORTABLE),
-                                         primitives(isa_chosen())};
-    struct caches caches = caches_of_machine();
     report_provenance(stdout);
-    puts("primitive\tbytes\tn\tl1\tl2\tl3"
+    puts("primitive\tbytes\tl1\tl2\tl3"
          "\tportable_ns\tportable_ns_q1\tportable_ns_q3"
          "\tvector_ns\tvector_ns_q1\tvector_ns_q3");
-    for (int work = 0; work < WORKS; work++)
-        for (size_t bytes = 1 << 12; bytes <= largest; bytes *= 2) {
-            struct workload workload = workload_make(work, bytes);
-            struct summary prices[2];
-            workload_price(&workload, trials, tables, 2, prices);
-            printf("%s\t%zu\t%u\t%zu\t%zu\t%zu", work_names[work],
-                   bytes, workload.n, caches.l1, caches.l2, caches.l3);
-            print_summary(&prices[0], 1);
-            print_summary(&prices[1], 1);
-            puts("");
-            workload_free(&workload);
-        }
+    for (size_t bytes = 1 << 12; bytes <= largest; bytes *= 2)
+        print_prices(bytes, trials);
     return 0;
 }
 //<

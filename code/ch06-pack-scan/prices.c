@@ -28,24 +28,22 @@ static void working_sets(size_t bytes[static LEVELS], size_t largest)
 }
 //<
 
-//> Price a primitive on every level
-static void print_prices(enum work work, const size_t *bytes,
-                         int trials)
+//> Price every primitive on one level
+static void price(const struct primitives *p, size_t bytes, int trials,
+                  struct summary *ns)
 {
-    const struct primitives *tables[] = {primitives(isa_chosen()),
-                                         primitives(PORTABLE)};
-    struct summary prices[LEVELS][2];
-    for (int level = 0; level < LEVELS; level++) {
-        struct workload workload = workload_make(work, bytes[level]);
-        workload_price(&workload, trials, tables, level ? 1 : 2,
-                       prices[level]);
-        workload_free(&workload);
+    struct workload workloads[WORKS];
+    struct priced priced[WORKS];
+    for (int work = 0; work < WORKS; work++) {
+        workloads[work] = workload_make(work, bytes);
+        priced[work] = (struct priced){.primitives = p,
+                                       .workload = &workloads[work]};
     }
-    printf("%s\t%s", work_names[work], isa_names[isa_chosen()]);
-    for (int level = 0; level < LEVELS; level++)
-        print_summary(&prices[level][0], 1);
-    print_summary(&prices[0][1], 1);
-    puts("");
+    price_in_turn(trials, priced, WORKS);
+    for (int work = 0; work < WORKS; work++) {
+        ns[work] = priced[work].ns;
+        workload_free(&workloads[work]);
+    }
 }
 //<
 
@@ -56,16 +54,26 @@ int main(int argc, char **argv)
     size_t bytes[LEVELS];
     working_sets(bytes, argument(argc, argv, 2, "LARGEST", 1 << 25,
                                  1 << 16, MANY));
+    const struct primitives *chosen = primitives(isa_chosen());
+    struct summary ns[LEVELS + 1][WORKS];
+    for (int level = 0; level < LEVELS; level++)
+        price(chosen, bytes[level], trials, ns[level]);
+    price(primitives(PORTABLE), bytes[0], trials, ns[LEVELS]);
+
     report_provenance(stdout);
     printf("name\tisa");
-    const char *const columns[] = {"l1", "l2", "l3", "memory",
-                                   "portable_l1"};
+    static const char *const columns[] = {"l1", "l2", "l3", "memory",
+                                          "portable_l1"};
     for (int c = 0; c <= LEVELS; c++)
         printf("\t%s_ns\t%s_ns_q1\t%s_ns_q3", columns[c], columns[c],
                columns[c]);
     puts("");
-    for (int work = 0; work < WORKS; work++)
-        print_prices(work, bytes, trials);
+    for (int work = 0; work < WORKS; work++) {
+        printf("%s\t%s", work_names[work], isa_names[chosen->isa]);
+        for (int c = 0; c <= LEVELS; c++)
+            print_summary(&ns[c][work], 1);
+        puts("");
+    }
     return 0;
 }
 //<

@@ -1,9 +1,8 @@
-//> Price a primitive
+//> Price the primitives in turn
 // See workload.h.
 #include "ch06-pack-scan/workload.h"
 #include "common/fail.h"
 #include "common/random.h"
-#include <stdbool.h>
 #include <stdlib.h>
 
 //> Know what a primitive touches
@@ -17,127 +16,124 @@ const char *const work_names[WORKS] = {"elementwise",
                                        "scan",
                                        "pack"};
 
-static const int bytes_an_element[WORKS] = {24, 20, 20, 12, 12,
-                                            20, 20, 8,  9};
-
-static bool at_random(enum work work)
-{
-    return work == GATHER_AT_RANDOM || work == GATHER32_AT_RANDOM ||
-           work == SCATTER_AT_RANDOM;
-}
+// How many arrays of doubles, of 32-bit numbers and of flags, and
+// whether the first numbers are shuffled.
+static const struct {
+    int doubles, numbers, flags, shuffled;
+} arrays[WORKS] = {{3, 0, 0, 0}, {2, 1, 0, 0}, {2, 1, 0, 1},
+                   {0, 3, 0, 0}, {0, 3, 0, 1}, {2, 1, 0, 0},
+                   {2, 1, 0, 1}, {0, 2, 0, 0}, {0, 2, 1, 0}};
 //<
 
-//> Fill the arrays of a workload
-static void fill(struct workload *w)
+//> Make a workload
+static void shuffle(uint32_t *index, uint32_t n, struct random *random)
 {
-    struct random random = {w->n};
-    for (uint32_t i = 0; i < w->n; i++) {
-        w->a[i] = w->b[i] = w->to[i] = i;
-        w->index[i] = i;
-        w->a32[i] = w->to32[i] = i % 4;
-        w->keep[i] = random_bits(&random) & 1;
-    }
-    for (uint32_t i = w->n; at_random(w->work) && i > 1; i--) {
-        uint32_t j = random_bits(&random) % i, swapped = w->index[j];
-        w->index[j] = w->index[i - 1];
-        w->index[i - 1] = swapped;
+    for (uint32_t i = n; i > 1; i--) {
+        uint32_t j = random_bits(random) % i, last = index[i - 1];
+        index[i - 1] = index[j];
+        index[j] = last;
     }
 }
 
 struct workload workload_make(enum work work, size_t bytes)
 {
-    enum { ELEMENTS = 1 << 20 }; // of a trial, at least
-    uint32_t n = bytes / bytes_an_element[work];
-    struct workload w = {
-        .work = work,
-        .n = n,
-        .rounds = n < ELEMENTS ? ELEMENTS / n : 1,
-        .a = allocate(n, sizeof(double)),
-        .b = allocate(n, sizeof(double)),
-        .to = allocate(n, sizeof(double)),
-        .index = allocate(n, sizeof(uint32_t)),
-        .a32 = allocate(n, sizeof(uint32_t)),
-        .to32 = allocate(n, sizeof(uint32_t)),
-        .keep = allocate(n, sizeof(uint8_t)),
-    };
-    fill(&w);
+    int doubles = arrays[work].doubles, numbers = arrays[work].numbers;
+    int flags = arrays[work].flags;
+    uint32_t n = bytes / (8 * doubles + 4 * numbers + flags);
+    struct workload w = {.work = work, .n = n};
+    struct random random = {n};
+    for (int k = 0; k < doubles; k++) {
+        w.doubles[k] = allocate(n, sizeof(double));
+        for (uint32_t i = 0; i < n; i++)
+            w.doubles[k][i] = i;
+    }
+    for (int k = 0; k < numbers; k++) {
+        w.numbers[k] = allocate(n, sizeof(uint32_t));
+        for (uint32_t i = 0; i < n; i++)
+            w.numbers[k][i] = i;
+    }
+    if (flags)
+        w.keep = allocate(n, sizeof(uint8_t));
+    for (uint32_t i = 0; flags && i < n; i++)
+        w.keep[i] = random_bits(&random) & 1;
+    if (arrays[work].shuffled)
+        shuffle(w.numbers[0], n, &random);
     return w;
 }
 //<
 
 void workload_free(struct workload *workload)
 {
-    free(workload->a);
-    free(workload->b);
-    free(workload->to);
-    free(workload->index);
-    free(workload->a32);
-    free(workload->to32);
+    for (int k = 0; k < 3; k++) {
+        free(workload->doubles[k]);
+        free(workload->numbers[k]);
+    }
     free(workload->keep);
     *workload = (struct workload){0};
 }
 
 //> Run a primitive
-struct calls {
-    const struct workload *workload;
-    const struct primitives *primitives;
-};
-
-static void run_once(const struct workload *w,
-                     const struct primitives *p)
+static void run_once(const struct primitives *p,
+                     const struct workload *w)
 {
+    double *const *d = w->doubles;
+    uint32_t *const *u = w->numbers;
     switch (w->work) {
     case GATHER_IN_ORDER:
     case GATHER_AT_RANDOM:
-        p->gather(w->to, w->a, w->index, w->n);
+        p->gather(d[0], d[1], u[0], w->n);
         break;
     case GATHER32_IN_ORDER:
     case GATHER32_AT_RANDOM:
-        p->gather32(w->to32, w->a32, w->index, w->n);
+        p->gather32(u[1], u[2], u[0], w->n);
         break;
     case SCATTER_IN_ORDER:
     case SCATTER_AT_RANDOM:
-        p->scatter(w->to, w->a, w->index, w->n);
+        p->scatter(d[0], d[1], u[0], w->n);
         break;
     case SCAN:
-        p->scan(w->to32, w->a32, w->n, 0);
+        p->scan(u[0], u[1], w->n, 0);
         break;
     case PACK:
-        p->pack(w->to32, w->a32, w->keep, w->n);
+        p->pack(u[0], u[1], w->keep, w->n);
         break;
     default:
-        p->add(w->to, w->a, w->b, w->n);
+        p->add(d[0], d[1], d[2], w->n);
     }
-}
-
-static void run_rounds(void *context)
-{
-    const struct calls *run = context;
-    for (int round = 0; round < run->workload->rounds; round++)
-        run_once(run->workload, run->primitives);
 }
 //<
 
 //> Time a primitive by element
-void workload_price(const struct workload *workload, int trials,
-                    const struct primitives *const *tables, int count,
-                    struct summary *prices)
+// A trial handles a million elements or so, however short the arrays.
+static uint32_t rounds(const struct workload *w)
 {
-    struct calls runs[ISA_COUNT];
-    struct trial turns[ISA_COUNT];
-    for (int k = 0; k < count; k++) {
-        runs[k] = (struct calls){workload, tables[k]};
+    enum { ELEMENTS = 1 << 20 };
+    return w->n < ELEMENTS ? ELEMENTS / w->n : 1;
+}
+
+static void run_rounds(void *context)
+{
+    const struct priced *priced = context;
+    for (uint32_t r = rounds(priced->workload); r > 0; r--)
+        run_once(priced->primitives, priced->workload);
+}
+
+void price_in_turn(int trials, struct priced *priced, int count)
+{
+    struct trial *turns = allocate(count, sizeof *turns);
+    for (int k = 0; k < count; k++)
         turns[k] =
-            (struct trial){.work = run_rounds, .context = &runs[k]};
-    }
+            (struct trial){.work = run_rounds, .context = &priced[k]};
     time_in_turn(trials, turns, count);
-    double elements = (double)workload->n * workload->rounds;
     for (int k = 0; k < count; k++) {
+        const struct workload *w = priced[k].workload;
+        double elements = (double)w->n * rounds(w);
         struct summary s = turns[k].summary;
-        prices[k] = (struct summary){s.min / elements, s.q1 / elements,
-                                     s.median / elements,
-                                     s.q3 / elements, s.max / elements};
+        priced[k].ns = (struct summary){
+            s.min / elements, s.q1 / elements, s.median / elements,
+            s.q3 / elements, s.max / elements};
     }
+    free(turns);
 }
 //<
 //<

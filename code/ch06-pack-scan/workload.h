@@ -25,10 +25,9 @@ extern const char *const work_names[WORKS];
 
 struct workload {
     enum work work;
-    uint32_t n; // elements
-    int rounds; // of the same call in one trial
-    double *a, *b, *to;
-    uint32_t *index, *a32, *to32;
+    uint32_t n;           // elements
+    double *doubles[3];   // as many of each as the primitive needs
+    uint32_t *numbers[3]; // an index is the first
     uint8_t *keep;
 };
 
@@ -36,9 +35,14 @@ struct workload {
 struct workload workload_make(enum work work, size_t bytes);
 void workload_free(struct workload *workload);
 
-// Nanoseconds an element with each of count tables of primitives, timed
-// in turn.
-void workload_price(const struct workload *workload, int trials,
-                    const struct primitives *const *tables, int count,
-                    struct summary *prices);
+// A primitive of a table with its workload, and the nanoseconds that it
+// takes for an element, set by price_in_turn.
+struct priced {
+    const struct primitives *primitives;
+    const struct workload *workload;
+    struct summary ns;
+};
+
+// Times all of them in turn.
+void price_in_turn(int trials, struct priced *priced, int count);
 //<
