@@ -94,8 +94,9 @@ static const char *cause(uint32_t n, struct pair right,
                "threads hand in their results.";
     if (times[place_of(right.i, right.j)] == 0)
         return "The nearest pair was never measured.";
-    return "It was measured and then forgotten: does every thread "
-           "hand in its best pair, and no worse one replace it?";
+    return "It was measured and then forgotten. An update was lost, or "
+           "some thread did not hand in its best pair, or a worse "
+           "one replaced it.";
 }
 
 static void check(uint32_t n, int threads)
