@@ -11,7 +11,7 @@
 enum { POINTS_PER_TURN = 256 };
 
 // Chosen by measurement, each for its search.
-static const double per_list = 2, per_cell = 2;
+static const double per_list = 1, per_cell = 1;
 
 //> Hold a point that asks
 struct asking {

@@ -3,6 +3,7 @@
 // and how much was looked at.
 #include "algorithms.h"
 #include "ch04-cell-sort/block.h"
+#include "ch04-cell-sort/line.h"
 #include "ch04-cell-sort/lists.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch04-cell-sort/poisson.h"
@@ -169,6 +170,59 @@ static void sorts_every_distribution(void)
                 check_sort(points, per_cell[k], distributions[d].name);
                 points_free(&points);
             }
+}
+
+// ---- the line ------------------------------------------------------
+// Three ways to find the numbers between a and b find the same, also
+// where a or b is a number, a border, or beyond all of them.
+static void check_between(const double *x, const double *sorted,
+                          const struct bins *bins, uint32_t n, double a,
+                          double b)
+{
+    static double by_scan[100], by_halves[100], by_bins[100];
+    uint32_t count = scan_between(x, n, a, b, by_scan);
+    uint32_t plainly = 0;
+    for (uint32_t i = 0; i < n; i++)
+        if (a <= x[i] && x[i] < b)
+            CHECK_DOUBLE(x[i], by_scan[plainly++], "scan, [%g, %g)", a,
+                         b);
+    CHECK_INT(plainly, count, "how many by scan, [%g, %g)", a, b);
+    CHECK_INT(plainly, sorted_between(sorted, n, a, b, by_halves),
+              "how many by halves, [%g, %g)", a, b);
+    CHECK_INT(plainly, bins_between(bins, a, b, by_bins),
+              "how many in bins, [%g, %g)", a, b);
+    sort_numbers(by_scan, plainly);
+    sort_numbers(by_bins, plainly);
+    for (uint32_t k = 0; k < plainly; k++) {
+        CHECK_DOUBLE(by_scan[k], by_halves[k], "by halves, number %u",
+                     k);
+        CHECK_DOUBLE(by_scan[k], by_bins[k], "in bins, number %u", k);
+    }
+}
+
+static void numbers_on_a_line(void)
+{
+    for (uint64_t seed = 0; seed < 300; seed++) {
+        test_seed(seed);
+        struct random random = {seed};
+        double x[100], sorted[100];
+        uint32_t n = 1 + random_bits(&random) % 100;
+        for (uint32_t i = 0; i < n; i++)
+            x[i] = sorted[i] = seed % 2
+                                   ? random_uniform(&random)
+                                   : random_bits(&random) % 7 * 0.1;
+        sort_numbers(sorted, n);
+        struct bins bins = bins_make(x, n, 0.5 + seed % 4);
+        for (int k = 0; k < 20; k++) {
+            double a = 2 * random_uniform(&random) - 0.5;
+            double b = 2 * random_uniform(&random) - 0.5;
+            check_between(x, sorted, &bins, n, a, b);
+            check_between(x, sorted, &bins, n, x[k % n], b);
+            check_between(x, sorted, &bins, n, a, x[k % n]);
+        }
+        check_between(x, sorted, &bins, n, -INFINITY, INFINITY);
+        bins_free(&bins);
+    }
 }
 
 // ---- the block -----------------------------------------------------
@@ -459,8 +513,9 @@ int main(void)
     return RUN_TESTS(
         "ch04-cell-sort", TEST(borders_are_exact), TEST(random_borders),
         TEST(cells_never_outnumber_points),
-        TEST(sorts_every_distribution), TEST(margins_hold),
-        TEST(nine_cells_are_not_enough), TEST(the_test_makes_it_right),
-        TEST(every_search_agrees), TEST(counts_are_as_predicted),
-        TEST(errors_are_as_predicted), TEST(a_far_point));
+        TEST(sorts_every_distribution), TEST(numbers_on_a_line),
+        TEST(margins_hold), TEST(nine_cells_are_not_enough),
+        TEST(the_test_makes_it_right), TEST(every_search_agrees),
+        TEST(counts_are_as_predicted), TEST(errors_are_as_predicted),
+        TEST(a_far_point));
 }

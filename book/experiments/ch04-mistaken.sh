@@ -1,0 +1,3 @@
+#!/bin/sh
+# A wrong neighbor, found by searching nine cells
+exec "$BUILD/ch04/mistaken"

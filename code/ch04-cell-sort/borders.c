@@ -1,0 +1,38 @@
+//> Count the borders that rounding moves
+// Cuts the unit interval into 2, 3, ... cells and asks three times
+// where each cell begins: k widths from the start, by dividing by the
+// width, by multiplying with the number of cells, and by the axis that
+// has asked itself.
+//
+//     borders [MOST]
+#include "ch04-cell-sort/grid.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include <stdio.h>
+
+int main(int argc, char **argv)
+{
+    fail_as("borders", NULL);
+    uint32_t most = argument(argc, argv, 1, "MOST", 1000, 2, 100000);
+    uint64_t borders = 0, divided = 0, multiplied = 0, exact = 0;
+    for (uint32_t m = 2; m <= most; m++) {
+        struct axis axis = axis_cut(0, 1, INFINITY, m);
+        double width = 1.0 / m;
+        for (uint32_t k = 1; k < m; k++) {
+            double x = k * width;
+            borders++;
+            divided += (uint32_t)(x / width) != k;
+            multiplied += (uint32_t)(x * m) != k;
+            exact += axis_cell(&axis, axis.border[k]) != k;
+        }
+        axis_free(&axis);
+    }
+    printf("borders                               %8u\n"
+           "in the wrong cell, x / width          %8u\n"
+           "in the wrong cell, x * cells          %8u\n"
+           "in the wrong cell, the axis's borders %8u\n",
+           (unsigned)borders, (unsigned)divided, (unsigned)multiplied,
+           (unsigned)exact);
+    return 0;
+}
+//<

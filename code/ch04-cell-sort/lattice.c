@@ -1,0 +1,98 @@
+//> Search where all cells are alike
+// The same number of cells and distances twice: uniform points, and a
+// lattice with four points in every cell. Whatever takes longer with
+// the first is not the arithmetic. Wraparound, one thread, search only.
+//
+//     lattice [SIDE [TRIALS]]
+#include "ch02-all-pairs/timing.h"
+#include "ch04-cell-sort/point_by_point.h"
+#include "ch04-cell-sort/together.h"
+#include "common/argument.h"
+#include "common/count.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include "common/report.h"
+#include <stdio.h>
+
+enum { SETS = 2, PER_CELL = 4 };
+
+struct set {
+    struct question question;
+    struct grid grid;
+    struct cells cells;
+    struct points sorted;
+    struct answers answers;
+};
+
+static void one_by_one(void *context)
+{
+    struct set *s = context;
+    search_sorted(&s->question, &s->grid, &s->cells, s->sorted,
+                  &s->answers);
+}
+
+static void all_together(void *context)
+{
+    struct set *s = context;
+    search_together(&s->question, &s->grid, &s->cells, s->sorted,
+                    &s->answers);
+}
+
+static struct set make_set(const char *name, uint32_t n)
+{
+    struct set s = {
+        .question = {generate(find_distribution(name), n, 1),
+                     {WRAPAROUND, 1, 1},
+                     1},
+        .answers = answers_allocate(n)};
+    s.grid = grid_fit(&s.question, PER_CELL);
+    s.cells = cells_sort(&s.grid, s.question.points);
+    s.sorted = points_in_order(s.question.points, s.cells.point);
+    return s;
+}
+
+static void set_free(struct set *s)
+{
+    points_free(&s->sorted);
+    cells_free(&s->cells);
+    grid_free(&s->grid);
+    answers_free(&s->answers);
+    points_free(&s->question.points);
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const names[SETS] = {"uniform", "lattice"};
+    fail_as("lattice", NULL);
+    uint32_t side = argument(argc, argv, 1, "SIDE", 320, 2, 30000);
+    int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
+    uint32_t n = side * side;
+    struct set sets[SETS];
+    struct trial versions[2 * SETS];
+    for (int s = 0; s < SETS; s++) {
+        sets[s] = make_set(names[s], n);
+        versions[2 * s] =
+            (struct trial){.work = one_by_one, .context = &sets[s]};
+        versions[2 * s + 1] =
+            (struct trial){.work = all_together, .context = &sets[s]};
+    }
+    time_in_turn(trials, versions, 2 * SETS);
+    report_provenance(stdout);
+    puts("name\tn\tcells\tdistances\tsorted\tsorted_q1\tsorted_q3"
+         "\ttogether\ttogether_q1\ttogether_q3");
+    for (int s = 0; s < SETS; s++) {
+        counting_take();
+        counting_search_sorted(&sets[s].question, &sets[s].grid,
+                               &sets[s].cells, sets[s].sorted,
+                               &sets[s].answers);
+        struct counts counts = counting_take();
+        printf("%s\t%u\t%.4g\t%.4g", names[s], n,
+               (double)counts.cells / n, (double)counts.distances / n);
+        print_summary(&versions[2 * s].summary, n);
+        print_summary(&versions[2 * s + 1].summary, n);
+        puts("");
+        set_free(&sets[s]);
+    }
+    return 0;
+}
+//<

@@ -1,0 +1,132 @@
+//> Time three ways to hold the cells
+// One thread, one run: what it costs to build lists, to sort indices,
+// to move the points as well, and what a search costs on each; the
+// points ask in the order of the input, or of the cells.
+//
+//     ways [POINTS [TRIALS]]
+#include "ch02-all-pairs/timing.h"
+#include "ch04-cell-sort/point_by_point.h"
+#include "ch04-cell-sort/together.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <stdio.h>
+
+//> Hold everything that is timed
+struct bench {
+    struct question question;
+    struct grid grid;
+    struct lists lists;
+    struct cells cells;
+    struct points sorted;
+    struct answers answers;
+};
+
+static void make_lists(void *context)
+{
+    struct bench *b = context;
+    lists_free(&b->lists);
+    b->lists = lists_make(&b->grid, b->question.points);
+}
+
+static void make_cells(void *context)
+{
+    struct bench *b = context;
+    cells_free(&b->cells);
+    b->cells = cells_sort(&b->grid, b->question.points);
+}
+
+static void move_points(void *context)
+{
+    struct bench *b = context;
+    points_free(&b->sorted);
+    b->sorted = points_in_order(b->question.points, b->cells.point);
+}
+
+static void ask_lists(void *context)
+{
+    struct bench *b = context;
+    search_lists(&b->question, &b->grid, &b->lists, NULL, &b->answers);
+}
+
+static void ask_lists_in_order(void *context)
+{
+    struct bench *b = context;
+    search_lists(&b->question, &b->grid, &b->lists, b->cells.point,
+                 &b->answers);
+}
+
+static void ask_indices(void *context)
+{
+    struct bench *b = context;
+    search_indices(&b->question, &b->grid, &b->cells, NULL,
+                   &b->answers);
+}
+
+static void ask_indices_in_order(void *context)
+{
+    struct bench *b = context;
+    search_indices(&b->question, &b->grid, &b->cells, b->cells.point,
+                   &b->answers);
+}
+
+static void ask_sorted(void *context)
+{
+    struct bench *b = context;
+    search_sorted(&b->question, &b->grid, &b->cells, b->sorted,
+                  &b->answers);
+}
+
+static void ask_together(void *context)
+{
+    struct bench *b = context;
+    search_together(&b->question, &b->grid, &b->cells, b->sorted,
+                    &b->answers);
+}
+//<
+
+static const struct {
+    const char *name;
+    void (*work)(void *);
+} ways[] = {
+    {"build_lists", make_lists},
+    {"build_indices", make_cells},
+    {"move_points", move_points},
+    {"lists", ask_lists},
+    {"lists_in_order", ask_lists_in_order},
+    {"indices", ask_indices},
+    {"indices_in_order", ask_indices_in_order},
+    {"sorted", ask_sorted},
+    {"together", ask_together},
+};
+enum { WAYS = sizeof ways / sizeof *ways };
+
+int main(int argc, char **argv)
+{
+    fail_as("ways", NULL);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
+    int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
+    struct bench b = {.question = uniform_question(STANDARD, n, 1),
+                      .answers = answers_allocate(n)};
+    b.grid = grid_fit(&b.question, POINTS_PER_CELL);
+    struct trial versions[WAYS];
+    for (int w = 0; w < WAYS; w++)
+        versions[w] =
+            (struct trial){.work = ways[w].work, .context = &b};
+    time_in_turn(trials, versions, WAYS);
+    report_provenance(stdout);
+    puts("name\tn\tns\tns_q1\tns_q3");
+    for (int w = 0; w < WAYS; w++) {
+        printf("%s\t%u", ways[w].name, n);
+        print_summary(&versions[w].summary, n);
+        puts("");
+    }
+    lists_free(&b.lists);
+    cells_free(&b.cells);
+    points_free(&b.sorted);
+    points_free(&b.question.points);
+    grid_free(&b.grid);
+    answers_free(&b.answers);
+    return 0;
+}
+//<
