@@ -117,10 +117,11 @@ $(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
 
-# Vector code whose instructions are emulated, by SIMDe.
+# Vector code whose instructions are emulated by SIMDe, whose lanes wrap
+# around as signed numbers.
 emulated := $(patsubst %.c,$(BUILD)/plain/%.o,$(wildcard tests/instructions/*.c))
 $(emulated): CPPFLAGS += -DEMULATED -isystem tests/instructions/emulated
-$(emulated): override CFLAGS += -Wno-psabi
+$(emulated): override CFLAGS += -Wno-psabi -fwrapv
 $(emulated): | $(BUILD)/setup/test
 
 define test_rule

@@ -1,5 +1,6 @@
 # Nanoseconds an element of three packs against the share that is kept,
 # and what a branch should cost if the larger side is always guessed.
+# demo: plot
 height = 2.5
 load "book/figures/style.gp"
 table = data . "/ch06-branches.tsv"

@@ -1,6 +1,5 @@
 # Nanoseconds an element of the primitives against the bytes that they
 # touch, with the sizes of the caches.
-# demo: plot
 height = 3.3
 load "book/figures/style.gp"
 table = data . "/ch06-lengths.tsv"
