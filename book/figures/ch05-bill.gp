@@ -1,0 +1,26 @@
+# What counting by groups takes for a point, by how many points lose;
+# the line is fitted to groups of 64 in the first cache. Open: points of
+# all kinds in their own cells, many more of them.
+height = 3.0
+load "book/figures/style.gp"
+table = data . "/ch05-bill.tsv"
+set xlabel "losers a point"
+set ylabel "ns a point"
+set xrange [-0.03:1.03]
+set yrange [0:*]
+set key top right
+of(kind, lanes) = strcol(1)[1:strlen(kind)] eq kind && column("lanes") == lanes ? column("groups") : NaN
+mine(kind) = strcol(1)[1:strlen(kind)] eq kind ? column("groups") : NaN
+stats table using (strcol(1) eq "point" ? column("predicted") : NaN) nooutput
+a = STATS_max
+stats table using (strcol(1) eq "loser" ? column("predicted") : NaN) nooutput
+b = STATS_max
+plot table using "losers":(of("random", 8)) with points lt 2 title "8 lanes", \
+     "" using "losers":(of("random", 64)) with points lt 1 title "64 lanes", \
+     "" using "losers":(of("random", 512)) with points lt 3 title "512 lanes", \
+     a + b * x with lines lt 1 lw 0.9 notitle, \
+     "" using "losers":(mine("uniform")) with points pt 6 ps 0.8 lc rgb "black" title "uniform", \
+     "" using "losers":(mine("clustered")) with points pt 8 ps 0.9 lc rgb "black" title "clustered", \
+     "" using "losers":(mine("two_clusters")) with points pt 4 ps 0.8 lc rgb "black" title "two clusters", \
+     "" using "losers":(mine("kuzmin")) with points pt 12 ps 0.9 lc rgb "black" title "kuzmin", \
+     "" using "losers":(mine("equal")) with points pt 10 ps 0.9 lc rgb "black" title "equal"

@@ -1,0 +1,18 @@
+# Nanoseconds a point for the cell sort of points of all kinds, on all
+# processors: where the points crowd, atomics queue and bands are one.
+# demo: plot
+height = 2.8
+load "book/figures/style.gp"
+table = data . "/ch05-crowded.tsv"
+set ylabel "ns a point"
+set yrange [0:*]
+set style data histograms
+set style histogram clustered gap 1.5
+set boxwidth 0.9
+set key top right
+set xtics scale 0 ("uniform" 0, "clustered" 1, "two clusters" 2, "kuzmin" 3, "equal" 4)
+# The kinds stand in the table in this order, four sorts each.
+plot table every 4::0 using "one" lt 6 fs solid 0.25 title "serial, one thread", \
+     "" every 4::1 using "all" lt 2 fs pattern 4 title "atomic", \
+     "" every 4::2 using "all" lt 3 fs pattern 2 title "private", \
+     "" every 4::3 using "all" lt 1 fs solid 0.75 title "bands"

@@ -1,0 +1,28 @@
+# The share of its points that each of 576 cells was said to hold: in
+# groups of lanes a cell counts at most once a group; two threads lose
+# where they meet.
+# demo: plot
+height = 2.7
+load "book/figures/style.gp"
+table = data . "/ch05-lost.tsv"
+set logscale x
+set xlabel "points in a cell"
+set ylabel "counted, of all"
+set format x "10^{%T}"
+set xrange [10:*]
+set yrange [0:1.05]
+set key bottom left
+share(k) = strcol(1)[1:4] eq "cell" && column("right") > 0 ? column(k) / column("right") : NaN
+stats table using (strcol(1) eq "all" ? column("right") : NaN) nooutput
+n = STATS_max
+stats table using (strcol(1)[1:4] eq "cell" ? column("right") : NaN) nooutput
+most = STATS_max
+seen(k, lanes) = k > most ? NaN : n / lanes * (1 - (1 - k / n)**lanes) / k
+set samples 200
+plot table using "right":(share("threads2")) with points lt 6 title "two threads", \
+     "" using "right":(share("lanes8")) with points lt 1 title "8 lanes", \
+     "" using "right":(share("lanes64")) with points lt 2 title "64 lanes", \
+     "" using "right":(share("lanes1024")) with points lt 3 title "1,024 lanes", \
+     seen(x, 8) with lines lt 1 lw 0.8 dt 1 notitle, \
+     seen(x, 64) with lines lt 2 lw 0.8 dt 1 notitle, \
+     seen(x, 1024) with lines lt 3 lw 0.8 dt 1 notitle

@@ -1,0 +1,16 @@
+# Nanoseconds a point for the cell sort with one thread and with all
+# processors, and for getting and copying as much memory as it writes.
+# demo: plot
+height = 2.8
+load "book/figures/style.gp"
+table = data . "/ch05-sorts.tsv"
+set style data histograms
+set style histogram clustered gap 1
+set boxwidth 0.9
+set ylabel "ns a point"
+set yrange [0:*]
+set key top right
+set xtics ("serial" 0, "atomic" 1, "private" 2, "bands" 3, "small pages" 4, "large pages" 5, "copy" 6)
+set xtics rotate by -25
+plot table using "one" lt 1 fs solid 0.35 title "one thread", \
+     "" using "all" lt 2 fs pattern 4 title "all processors"

@@ -1,0 +1,187 @@
+//> Time the sorts
+//     sorts POINTS TRIALS KIND...
+// Sorts points of every kind named by cell, with counts that threads
+// share and counts of their own, on one thread and on all processors.
+// The kind "memory" shows what the machine needs for as much memory as
+// the sort by bands writes: to get it, and to copy it.
+#include "ch02-all-pairs/timing.h"
+#include "ch05-collisions/bands.h"
+#include "ch05-collisions/shared.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+//> Name the sorts
+typedef struct cells sort_function(const struct grid *grid,
+                                   struct points points, int threads);
+
+static struct cells serial(const struct grid *grid,
+                           struct points points, int threads)
+{
+    (void)threads;
+    return cells_sort(grid, points);
+}
+
+static const struct {
+    const char *name;
+    sort_function *sort;
+} sorts[] = {
+    {"serial", serial},
+    {"atomic", cells_sort_atomic},
+    {"private", cells_sort_private},
+    {"bands", cells_sort_threads},
+};
+enum { SORTS = sizeof sorts / sizeof *sorts };
+//<
+
+//> Time a sort
+struct sorting {
+    sort_function *sort;
+    const struct grid *grid;
+    struct points points;
+    int threads;
+};
+
+static void run_sort(void *context)
+{
+    struct sorting *s = context;
+    struct cells cells = s->sort(s->grid, s->points, s->threads);
+    cells_free(&cells);
+}
+//<
+
+//> Get memory, copy memory
+struct memory {
+    size_t bytes;
+    int threads;
+    char *from, *to; // of as many bytes
+};
+
+static void touch(char *memory, size_t bytes, int threads)
+{
+#pragma omp parallel for num_threads(threads)
+    for (size_t at = 0; at < bytes; at += 4096)
+        memory[at] = 1;
+}
+
+static void get_small_pages(void *context)
+{
+    struct memory *m = context;
+    char *memory = mmap(NULL, m->bytes, PROT_READ | PROT_WRITE,
+                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+        fail("no memory for %zu bytes", m->bytes);
+#ifdef MADV_NOHUGEPAGE
+    madvise(memory, m->bytes, MADV_NOHUGEPAGE);
+#endif
+    touch(memory, m->bytes, m->threads);
+    munmap(memory, m->bytes);
+}
+
+static void get_large_pages(void *context)
+{
+    struct memory *m = context;
+    char *memory = allocate(m->bytes, 1);
+    touch(memory, m->bytes, m->threads);
+    free(memory);
+}
+
+static void copy(void *context)
+{
+    struct memory *m = context;
+#pragma omp parallel for num_threads(m->threads)
+    for (int k = 0; k < m->threads; k++) {
+        size_t begin = m->bytes * k / m->threads;
+        size_t end = m->bytes * (k + 1) / m->threads;
+        memcpy(m->to + begin, m->from + begin, end - begin);
+    }
+}
+//<
+
+//> Time one kind of points
+static void print_trials(const char *kind, const char *name,
+                         const struct trial trials[2], uint32_t n)
+{
+    for (const char *c = kind; *c; c++)
+        putchar(*c == '-' ? '_' : *c);
+    printf("_%s\t%u\t%d", name, n, omp_get_num_procs());
+    print_summary(&trials[0].summary, n);
+    print_summary(&trials[1].summary, n);
+    puts("");
+}
+
+static void time_kind(const char *kind, uint32_t n, int count)
+{
+    struct points points = generate(find_distribution(kind), n, 1);
+    struct question question = {points, {STANDARD, 1, 1}, 1};
+    struct grid grid = grid_fit(&question, 2);
+    struct sorting sorting[2 * SORTS];
+    struct trial trials[2 * SORTS];
+    for (int k = 0; k < 2 * SORTS; k++) {
+        sorting[k] = (struct sorting){sorts[k / 2].sort, &grid, points,
+                                      k % 2 ? omp_get_num_procs() : 1};
+        trials[k] =
+            (struct trial){.work = run_sort, .context = &sorting[k]};
+    }
+    time_in_turn(count, trials, 2 * SORTS);
+    for (int k = 0; k < SORTS; k++)
+        print_trials(kind, sorts[k].name, &trials[2 * k], n);
+    grid_free(&grid);
+    points_free(&points);
+}
+//<
+
+//> Time the memory
+static void time_memory(uint32_t n, int count)
+{
+    const size_t bytes = (size_t)n * 18; // home, items, point, start
+    struct memory one = {bytes, 1, allocate(bytes, 1),
+                         allocate(bytes, 1)};
+    struct memory all = one;
+    all.threads = omp_get_num_procs();
+    memset(one.from, 1, bytes);
+    memset(one.to, 1, bytes);
+    struct trial trials[] = {{.work = get_small_pages, .context = &one},
+                             {.work = get_small_pages, .context = &all},
+                             {.work = get_large_pages, .context = &one},
+                             {.work = get_large_pages, .context = &all},
+                             {.work = copy, .context = &one},
+                             {.work = copy, .context = &all}};
+    time_in_turn(count, trials, 6);
+    print_trials("memory", "small", trials, n);
+    print_trials("memory", "large", trials + 2, n);
+    print_trials("memory", "copy", trials + 4, n);
+    free(one.to);
+    free(one.from);
+}
+//<
+
+static bool is_memory(const char *kind)
+{
+    return strcmp(kind, "memory") == 0;
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("sorts", NULL);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 2, MANY);
+    int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
+    for (int k = 3; k < argc; k++)
+        if (!is_memory(argv[k]) && !find_distribution(argv[k]))
+            fail("KIND: there are no points called %s", argv[k]);
+    report_provenance(stdout);
+    puts("name\tn\tthreads\tone\tone_q1\tone_q3\tall\tall_q1\tall_q3");
+    for (int k = 3; k < argc; k++)
+        if (is_memory(argv[k]))
+            time_memory(n, count);
+        else
+            time_kind(argv[k], n, count);
+    return 0;
+}
+//<
