@@ -5,18 +5,18 @@
 height = 2.7
 load "book/figures/style.gp"
 table = data . "/ch05-lost.tsv"
+stats table using (strcol(1) eq "all" ? column("right") : NaN) nooutput
+n = STATS_max
+stats table using (strcol(1) eq "all" ? NaN : column("right")) nooutput
+most = STATS_max
 set logscale x
 set xlabel "points in a cell"
 set ylabel "counted, of all"
 set format x "10^{%T}"
-set xrange [10:*]
+set xrange [10:2 * most]
 set yrange [0:1.05]
 set key bottom left
 share(k) = strcol(1)[1:4] eq "cell" && column("right") > 0 ? column(k) / column("right") : NaN
-stats table using (strcol(1) eq "all" ? column("right") : NaN) nooutput
-n = STATS_max
-stats table using (strcol(1)[1:4] eq "cell" ? column("right") : NaN) nooutput
-most = STATS_max
 seen(k, lanes) = k > most ? NaN : n / lanes * (1 - (1 - k / n)**lanes) / k
 set samples 200
 plot table using "right":(share("threads2")) with points lt 6 title "two threads", \

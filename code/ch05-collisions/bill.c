@@ -21,7 +21,7 @@ enum { PLAINLY, BY_GROUPS, BY_CONFLICTS, WAYS };
 enum { FEWEST_CELLS = 16, SIZES = 9, LANES = 64, KINDS = 5 };
 
 struct row {
-    const char *kind;
+    char name[40];
     uint32_t cells, lanes;
     double losers; // a point
     struct trial trials[WAYS];
@@ -55,16 +55,14 @@ static void by_conflicts(void *context)
 }
 //<
 
-//> Time the three in turn
-static struct row time_row(const char *kind, const uint32_t *home,
-                           uint32_t n, uint32_t cells, uint32_t lanes,
-                           int trials)
+//> Time three ways to count
+static struct row time_row(const uint32_t *home, uint32_t n,
+                           uint32_t cells, uint32_t lanes, int trials)
 {
     struct counting c = {groups_allocate(lanes, cells), home, n,
                          allocate(cells, sizeof(uint32_t)), 0};
     memset(c.count, 0, cells * sizeof *c.count);
     struct row row = {
-        .kind = kind,
         .cells = cells,
         .lanes = lanes,
         .trials = {{.work = plainly, .context = &c},
@@ -88,7 +86,9 @@ static void time_random_cells(struct row *rows, uint32_t n,
         uint32_t cells = FEWEST_CELLS << size;
         for (uint32_t i = 0; i < n; i++)
             home[i] = random_bits(&random) % cells;
-        rows[size] = time_row("random", home, n, cells, lanes, trials);
+        rows[size] = time_row(home, n, cells, lanes, trials);
+        snprintf(rows[size].name, sizeof rows->name, "random_%u_%u",
+                 cells, lanes);
     }
     free(home);
 }
@@ -97,17 +97,22 @@ static void time_random_cells(struct row *rows, uint32_t n,
 //> Count points of all kinds
 static void time_points(struct row *rows, uint32_t n, int trials)
 {
-    static const char *const kinds[KINDS] = {
-        "uniform", "clustered", "kuzmin", "two-clusters", "equal"};
+    static const char *const kinds[KINDS][2] = {
+        {"uniform", "uniform_points"},
+        {"clustered", "clustered_points"},
+        {"kuzmin", "kuzmin_points"},
+        {"two-clusters", "two_clusters_points"},
+        {"equal", "equal_points"}};
     uint32_t *home = allocate(n, sizeof *home);
     for (int kind = 0; kind < KINDS; kind++) {
         struct points points =
-            generate(find_distribution(kinds[kind]), n, 1);
+            generate(find_distribution(kinds[kind][0]), n, 1);
         struct question question = {points, {STANDARD, 1, 1}, 1};
         struct grid grid = grid_fit(&question, 2);
         find_homes(&grid, points, 0, n, home);
-        rows[kind] = time_row(kinds[kind], home, n, grid_cells(&grid),
-                              LANES, trials);
+        rows[kind] =
+            time_row(home, n, grid_cells(&grid), LANES, trials);
+        strcpy(rows[kind].name, kinds[kind][1]);
         grid_free(&grid);
         points_free(&points);
     }
@@ -141,10 +146,8 @@ static void print_rows(const struct row *rows, int count, double n,
 {
     for (int r = 0; r < count; r++) {
         const struct row *row = &rows[r];
-        for (const char *c = row->kind; *c; c++)
-            putchar(*c == '-' ? '_' : *c);
-        printf("_%u_%u\t%u\t%u\t%.4g\t%.4g", row->cells, row->lanes,
-               row->cells, row->lanes, row->losers,
+        printf("%s\t%u\t%u\t%.4g\t%.4g", row->name, row->cells,
+               row->lanes, row->losers,
                line.point + line.loser * row->losers);
         for (int way = 0; way < WAYS; way++)
             print_summary(&row->trials[way].summary, n);

@@ -110,7 +110,7 @@ static void print_trials(const char *kind, const char *name,
 {
     for (const char *c = kind; *c; c++)
         putchar(*c == '-' ? '_' : *c);
-    printf("_%s\t%u\t%d", name, n, omp_get_num_procs());
+    printf("_%s_%u\t%u\t%d", name, n, n, omp_get_num_procs());
     print_summary(&trials[0].summary, n);
     print_summary(&trials[1].summary, n);
     puts("");
