@@ -1,20 +1,20 @@
 # What counting by groups takes for a point, by how many points lose;
 # the line is fitted to groups of 64 in the first cache. Open: points of
 # all kinds in their own cells, many more of them.
-height = 3.0
+height = 3.1
 load "book/figures/style.gp"
 table = data . "/ch05-bill.tsv"
-set xlabel "losers a point"
-set ylabel "ns a point"
-set xrange [-0.03:1.03]
-set yrange [0:*]
-set key top right
-of(kind, lanes) = strcol(1)[1:strlen(kind)] eq kind && column("lanes") == lanes ? column("groups") : NaN
-mine(kind) = strcol(1)[1:strlen(kind)] eq kind ? column("groups") : NaN
 stats table using (strcol(1) eq "point" ? column("predicted") : NaN) nooutput
 a = STATS_max
 stats table using (strcol(1) eq "loser" ? column("predicted") : NaN) nooutput
 b = STATS_max
+set xlabel "losers a point"
+set ylabel "ns a point"
+set xrange [-0.03:1.03]
+set yrange [0:*]
+set key outside top center horizontal maxrows 2 samplen 1
+of(kind, lanes) = strcol(1)[1:strlen(kind)] eq kind && column("lanes") == lanes ? column("groups") : NaN
+mine(kind) = strcol(1)[1:strlen(kind)] eq kind ? column("groups") : NaN
 plot table using "losers":(of("random", 8)) with points lt 2 title "8 lanes", \
      "" using "losers":(of("random", 64)) with points lt 1 title "64 lanes", \
      "" using "losers":(of("random", 512)) with points lt 3 title "512 lanes", \

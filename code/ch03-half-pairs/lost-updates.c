@@ -2,9 +2,9 @@
 //     lost-updates [RUNS [LARGEST]]
 // What becomes of the triangular loop when its rows are handed to
 // several threads and nothing else is done: all of them change the same
-// answers, unguarded. A data race, on purpose, and the only one in this
-// book. Prints how many answers came out wrong, for up to LARGEST
-// points in two arrangements.
+// answers, unguarded. A data race, on purpose; chapter 5 has the only
+// other one in this book. Prints how many answers came out wrong, for
+// up to LARGEST points in two arrangements.
 #include "ch03-half-pairs/triangle.h"
 #include "common/argument.h"
 #include "common/clock.h"

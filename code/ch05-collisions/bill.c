@@ -18,105 +18,97 @@
 #include <string.h>
 
 enum { PLAINLY, BY_GROUPS, BY_CONFLICTS, WAYS };
-enum { FEWEST_CELLS = 16, SIZES = 9, LANES = 64, KINDS = 5 };
+enum { FEWEST_CELLS = 16, SIZES = 9, LENGTHS = 3, LANES = 64 };
+enum { KINDS = 5, ROWS = LENGTHS * SIZES + KINDS };
 
+// A line of the table, and what is needed to time it.
 struct row {
     char name[40];
-    uint32_t cells, lanes;
-    double losers; // a point
-    struct trial trials[WAYS];
+    struct groups groups;
+    uint32_t n, cells, *home, *count;
+    uint64_t losers;
+    struct summary summaries[WAYS];
 };
 
 //> Count in three ways
-struct counting {
-    struct groups groups;
-    const uint32_t *home;
-    uint32_t n, *count;
-    uint64_t losers;
-};
-
 static void plainly(void *context)
 {
-    struct counting *c = context;
-    for (uint32_t i = 0; i < c->n; i++)
-        c->count[c->home[i]]++;
+    struct row *row = context;
+    for (uint32_t i = 0; i < row->n; i++)
+        row->count[row->home[i]]++;
 }
 
 static void by_groups(void *context)
 {
-    struct counting *c = context;
-    c->losers = groups_count(&c->groups, c->home, c->n, c->count);
+    struct row *row = context;
+    row->losers =
+        groups_count(&row->groups, row->home, row->n, row->count);
 }
 
 static void by_conflicts(void *context)
 {
-    struct counting *c = context;
-    conflict_count(c->home, c->n, c->count);
+    struct row *row = context;
+    conflict_count(row->home, row->n, row->count);
 }
 //<
 
-//> Time three ways to count
-static struct row time_row(const uint32_t *home, uint32_t n,
-                           uint32_t cells, uint32_t lanes, int trials)
+//> Time all rows in turn
+static void time_rows(struct row *rows, int trials)
 {
-    struct counting c = {groups_allocate(lanes, cells), home, n,
-                         allocate(cells, sizeof(uint32_t)), 0};
-    memset(c.count, 0, cells * sizeof *c.count);
-    struct row row = {
-        .cells = cells,
-        .lanes = lanes,
-        .trials = {{.work = plainly, .context = &c},
-                   {.work = by_groups, .context = &c},
-                   {.work = by_conflicts, .context = &c}}};
-    time_in_turn(trials, row.trials, WAYS);
-    row.losers = (double)c.losers / n;
-    free(c.count);
-    groups_free(&c.groups);
+    static void (*const works[WAYS])(void *) = {plainly, by_groups,
+                                                by_conflicts};
+    struct trial versions[ROWS * WAYS];
+    for (int v = 0; v < ROWS * WAYS; v++)
+        versions[v] = (struct trial){.work = works[v % WAYS],
+                                     .context = &rows[v / WAYS]};
+    time_in_turn(trials, versions, ROWS * WAYS);
+    for (int v = 0; v < ROWS * WAYS; v++)
+        rows[v / WAYS].summaries[v % WAYS] = versions[v].summary;
+}
+//<
+
+//> Make a row
+// Its points' homes are not yet set.
+static struct row row_allocate(uint32_t n, uint32_t cells,
+                               uint32_t lanes)
+{
+    struct row row = {.n = n, .cells = cells};
+    row.groups = groups_allocate(lanes, cells);
+    row.home = allocate(n, sizeof *row.home);
+    row.count = allocate(cells, sizeof *row.count);
+    memset(row.count, 0, cells * sizeof *row.count);
     return row;
 }
-//<
 
-//> Count in few random cells
-static void time_random_cells(struct row *rows, uint32_t n,
-                              uint32_t lanes, int trials)
+static void row_free(struct row *row)
+{
+    groups_free(&row->groups);
+    free(row->home);
+    free(row->count);
+}
+
+static struct row random_row(uint32_t n, uint32_t cells, uint32_t lanes)
 {
     struct random random = {1};
-    uint32_t *home = allocate(n, sizeof *home);
-    for (int size = 0; size < SIZES; size++) {
-        uint32_t cells = FEWEST_CELLS << size;
-        for (uint32_t i = 0; i < n; i++)
-            home[i] = random_bits(&random) % cells;
-        rows[size] = time_row(home, n, cells, lanes, trials);
-        snprintf(rows[size].name, sizeof rows->name, "random_%u_%u",
-                 cells, lanes);
-    }
-    free(home);
+    struct row row = row_allocate(n, cells, lanes);
+    for (uint32_t i = 0; i < n; i++)
+        row.home[i] = random_bits(&random) % cells;
+    sprintf(row.name, "random_%u_%u", cells, lanes);
+    return row;
 }
-//<
 
-//> Count points of all kinds
-static void time_points(struct row *rows, uint32_t n, int trials)
+static struct row points_row(uint32_t n, const char *kind,
+                             const char *name)
 {
-    static const char *const kinds[KINDS][2] = {
-        {"uniform", "uniform_points"},
-        {"clustered", "clustered_points"},
-        {"kuzmin", "kuzmin_points"},
-        {"two-clusters", "two_clusters_points"},
-        {"equal", "equal_points"}};
-    uint32_t *home = allocate(n, sizeof *home);
-    for (int kind = 0; kind < KINDS; kind++) {
-        struct points points =
-            generate(find_distribution(kinds[kind][0]), n, 1);
-        struct question question = {points, {STANDARD, 1, 1}, 1};
-        struct grid grid = grid_fit(&question, 2);
-        find_homes(&grid, points, 0, n, home);
-        rows[kind] =
-            time_row(home, n, grid_cells(&grid), LANES, trials);
-        strcpy(rows[kind].name, kinds[kind][1]);
-        grid_free(&grid);
-        points_free(&points);
-    }
-    free(home);
+    struct points points = generate(find_distribution(kind), n, 1);
+    struct question question = {points, {STANDARD, 1, 1}, 1};
+    struct grid grid = grid_fit(&question, 2);
+    struct row row = row_allocate(n, grid_cells(&grid), LANES);
+    find_homes(&grid, points, 0, n, row.home);
+    strcpy(row.name, name);
+    grid_free(&grid);
+    points_free(&points);
+    return row;
 }
 //<
 
@@ -125,12 +117,12 @@ struct line {
     double point, loser; // nanoseconds
 };
 
-static struct line fit(const struct row *rows, int count, double n)
+static struct line fit(const struct row *rows, int count)
 {
     double x = 0, y = 0, xx = 0, xy = 0;
     for (int row = 0; row < count; row++) {
-        double losers = rows[row].losers;
-        double ns = rows[row].trials[BY_GROUPS].summary.median / n;
+        double n = rows[row].n, losers = rows[row].losers / n;
+        double ns = rows[row].summaries[BY_GROUPS].median / n;
         x += losers, xx += losers * losers;
         y += ns, xy += losers * ns;
     }
@@ -141,44 +133,58 @@ static struct line fit(const struct row *rows, int count, double n)
 
 //> Print the bill and what it predicts
 // The last column says whether conflicts were detected by instruction.
-static void print_rows(const struct row *rows, int count, double n,
-                       struct line line)
+static void print_row(const struct row *row, struct line line)
 {
-    for (int r = 0; r < count; r++) {
-        const struct row *row = &rows[r];
-        printf("%s\t%u\t%u\t%.4g\t%.4g", row->name, row->cells,
-               row->lanes, row->losers,
-               line.point + line.loser * row->losers);
-        for (int way = 0; way < WAYS; way++)
-            print_summary(&row->trials[way].summary, n);
-        printf("\t%s\n",
-               isa_names[isa_chosen() == AVX512 ? AVX512 : PORTABLE]);
-    }
+    double losers = (double)row->losers / row->n;
+    printf("%s\t%u\t%u\t%.4g\t%.4g", row->name, row->cells,
+           row->groups.lanes, losers, line.point + line.loser * losers);
+    for (int way = 0; way < WAYS; way++)
+        print_summary(&row->summaries[way], row->n);
+    printf("\t%s\n",
+           isa_names[isa_chosen() == AVX512 ? AVX512 : PORTABLE]);
+}
+
+// What the line says of one point, or one loser; nobody timed it.
+static void print_price(const char *name, int losers, double ns)
+{
+    printf("%s\tnan\t%d\t%d\t%.4g", name, LANES, losers, ns);
+    for (int column = 0; column < 3 * WAYS; column++)
+        printf("\tnan");
+    puts("\tnone");
 }
 //<
 
+//> Fill, time and print the rows
 int main(int argc, char **argv)
 {
     fail_as("bill", NULL);
     uint32_t n =
         argument(argc, argv, 1, "POINTS", 200000, 1000, MANY / 10);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
-    struct row few[SIZES], shorter[SIZES], longer[SIZES], all[KINDS];
-    time_random_cells(few, n, LANES, trials);
-    time_random_cells(shorter, n, LANES / 8, trials);
-    time_random_cells(longer, n, LANES * 8, trials);
-    time_points(all, n, trials);
-    struct line line = fit(few, SIZES, n);
+    struct row rows[ROWS], *row = rows;
+    static const uint32_t lanes[LENGTHS] = {LANES, LANES / 8,
+                                            LANES * 8};
+    for (int length = 0; length < LENGTHS; length++)
+        for (int size = 0; size < SIZES; size++)
+            *row++ = random_row(n, FEWEST_CELLS << size, lanes[length]);
+    *row++ = points_row(n, "uniform", "uniform_points");
+    *row++ = points_row(n, "clustered", "clustered_points");
+    *row++ = points_row(n, "two-clusters", "two_clusters_points");
+    *row++ = points_row(n, "kuzmin", "kuzmin_points");
+    *row++ = points_row(n, "equal", "equal_points");
+    time_rows(rows, trials);
+    struct line line = fit(rows, SIZES); // with 64 lanes: the first
     report_provenance(stdout);
     puts("name\tcells\tlanes\tlosers\tpredicted"
          "\tplain\tplain_q1\tplain_q3\tgroups\tgroups_q1\tgroups_q3"
          "\tconflicts\tconflicts_q1\tconflicts_q3\tinstructions");
-    printf("point\t0\t%d\t0\t%.4g\n", LANES, line.point);
-    printf("loser\t0\t%d\t1\t%.4g\n", LANES, line.loser);
-    print_rows(few, SIZES, n, line);
-    print_rows(shorter, SIZES, n, line);
-    print_rows(longer, SIZES, n, line);
-    print_rows(all, KINDS, n, line);
+    print_price("point", 0, line.point);
+    print_price("loser", 1, line.loser);
+    for (int r = 0; r < ROWS; r++) {
+        print_row(&rows[r], line);
+        row_free(&rows[r]);
+    }
     return 0;
 }
+//<
 //<

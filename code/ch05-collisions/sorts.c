@@ -104,16 +104,32 @@ static void copy(void *context)
 }
 //<
 
+//> Count who stands elsewhere
+// How many points are not where chapter 4's sort puts them.
+static uint32_t moved(const struct sorting *s)
+{
+    struct cells right = cells_sort(s->grid, s->points);
+    struct cells found = s->sort(s->grid, s->points, s->threads);
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < s->points.n; k++)
+        count += found.point[k] != right.point[k];
+    cells_free(&found);
+    cells_free(&right);
+    return count;
+}
+//<
+
 //> Time one kind of points
 static void print_trials(const char *kind, const char *name,
-                         const struct trial trials[2], uint32_t n)
+                         const struct trial trials[2], uint32_t n,
+                         uint32_t moved)
 {
     for (const char *c = kind; *c; c++)
         putchar(*c == '-' ? '_' : *c);
     printf("_%s_%u\t%u\t%d", name, n, n, omp_get_num_procs());
     print_summary(&trials[0].summary, n);
     print_summary(&trials[1].summary, n);
-    puts("");
+    printf("\t%u\n", moved);
 }
 
 static void time_kind(const char *kind, uint32_t n, int count)
@@ -131,7 +147,8 @@ static void time_kind(const char *kind, uint32_t n, int count)
     }
     time_in_turn(count, trials, 2 * SORTS);
     for (int k = 0; k < SORTS; k++)
-        print_trials(kind, sorts[k].name, &trials[2 * k], n);
+        print_trials(kind, sorts[k].name, &trials[2 * k], n,
+                     moved(&sorting[2 * k + 1]));
     grid_free(&grid);
     points_free(&points);
 }
@@ -154,9 +171,9 @@ static void time_memory(uint32_t n, int count)
                              {.work = copy, .context = &one},
                              {.work = copy, .context = &all}};
     time_in_turn(count, trials, 6);
-    print_trials("memory", "small", trials, n);
-    print_trials("memory", "large", trials + 2, n);
-    print_trials("memory", "copy", trials + 4, n);
+    print_trials("memory", "small", trials, n, 0);
+    print_trials("memory", "large", trials + 2, n, 0);
+    print_trials("memory", "copy", trials + 4, n, 0);
     free(one.to);
     free(one.from);
 }
@@ -176,7 +193,8 @@ int main(int argc, char **argv)
         if (!is_memory(argv[k]) && !find_distribution(argv[k]))
             fail("KIND: there are no points called %s", argv[k]);
     report_provenance(stdout);
-    puts("name\tn\tthreads\tone\tone_q1\tone_q3\tall\tall_q1\tall_q3");
+    puts("name\tn\tthreads\tone\tone_q1\tone_q3\tall\tall_q1\tall_"
+         "q3\tmoved");
     for (int k = 3; k < argc; k++)
         if (is_memory(argv[k]))
             time_memory(n, count);
