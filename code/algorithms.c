@@ -46,7 +46,7 @@ const struct algorithm TABLE[] = {
     {"cells-groups", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted 64 at a time", cells_groups},
     {"cells", 4, STANDARD | WRAPAROUND, NEAREST, "n",
-     "a cell's points together", cells_together},
+     "four points ask together", cells_together},
     {"cells-threads", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted by all threads", cells_threads},
 };

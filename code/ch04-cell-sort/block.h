@@ -30,11 +30,12 @@ static inline struct stretch stretch_of(const struct axis *axis,
 }
 
 static inline struct reach axis_reach(const struct axis *axis,
-                                      uint32_t cell, uint32_t radius)
+                                      uint32_t from, uint32_t to,
+                                      uint32_t radius)
 {
     const int64_t m = axis->count;
-    int64_t first = (int64_t)cell - radius;
-    int64_t end = (int64_t)cell + radius + 1;
+    int64_t first = (int64_t)from - radius;
+    int64_t end = (int64_t)to + radius + 1;
     if (axis->period == INFINITY) {
         first = first < 0 ? 0 : first;
         end = end > m ? m : end;
@@ -48,12 +49,22 @@ static inline struct reach axis_reach(const struct axis *axis,
 }
 //<
 
+// The block around the cells of a row from one column to another.
 static inline struct block block_around(const struct grid *grid,
-                                        uint32_t cell, uint32_t radius)
+                                        uint32_t row, uint32_t from,
+                                        uint32_t to, uint32_t radius)
 {
-    return (struct block){
-        axis_reach(&grid->x, cell % grid->x.count, radius),
-        axis_reach(&grid->y, cell / grid->x.count, radius)};
+    return (struct block){axis_reach(&grid->x, from, to, radius),
+                          axis_reach(&grid->y, row, row, radius)};
+}
+
+// The block around the cell of a point.
+static inline struct block block_of(const struct grid *grid, double x,
+                                    double y, uint32_t radius)
+{
+    uint32_t column = axis_cell(&grid->x, x);
+    return block_around(grid, axis_cell(&grid->y, y), column, column,
+                        radius);
 }
 
 // Cell k of a reach, 0 <= k < count.

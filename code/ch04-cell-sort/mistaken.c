@@ -31,8 +31,7 @@ static void print_point(const char *kind, struct points p, uint32_t i)
 static void print_picture(const struct grid *grid, struct points p,
                           uint32_t i, uint32_t found, uint32_t right)
 {
-    struct block block =
-        block_around(grid, grid_cell(grid, p.x[i], p.y[i]), 1);
+    struct block block = block_of(grid, p.x[i], p.y[i], 1);
     const double *x = grid->x.border, *y = grid->y.border;
     report_provenance(stdout);
     puts("kind\tx\ty");

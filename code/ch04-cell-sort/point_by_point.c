@@ -133,8 +133,8 @@ INLINED void ask_once(const enum geometry geometry, struct space space,
                       const struct holder *holder,
                       meet_function *meet_cell, struct asking *asking)
 {
-    uint32_t cell = grid_cell(holder->grid, asking->x, asking->y);
-    struct block block = block_around(holder->grid, cell, 1);
+    struct block block =
+        block_of(holder->grid, asking->x, asking->y, 1);
     meet_block(geometry, space, holder, &block, meet_cell, asking);
 }
 //<
@@ -145,10 +145,10 @@ INLINED void ask(const enum geometry geometry, struct space space,
                  struct asking *asking)
 {
     const struct grid *grid = holder->grid;
-    uint32_t cell = grid_cell(grid, asking->x, asking->y);
     double margin;
     for (uint32_t radius = 1;; radius *= 2) {
-        struct block block = block_around(grid, cell, radius);
+        struct block block =
+            block_of(grid, asking->x, asking->y, radius);
         meet_block(geometry, space, holder, &block, meet_cell, asking);
         margin = block_margin(grid, &block, asking->x, asking->y);
         if (asking->best2 < margin * margin ||

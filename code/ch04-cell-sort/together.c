@@ -1,4 +1,4 @@
-//> Search with the points of a cell together
+//> Search with four points together
 // See together.h.
 #include "ch04-cell-sort/together.h"
 #include "ch02-all-pairs/pair.h"
@@ -6,9 +6,9 @@
 #include "common/clock.h"
 #include "common/count.h"
 
-enum { ASKING = 4, CELLS_PER_TURN = 256 };
+enum { ASKING = 4, STRIPE = 64, STRIPES_PER_TURN = 4 };
 
-//> Hold a few points of a cell
+//> Hold four points of a row
 struct asking {
     double x[ASKING], y[ASKING], best2[ASKING];
     double self[ASKING], nearest[ASKING]; // indices
@@ -22,11 +22,17 @@ INLINED void sweep(const enum geometry geometry, struct space space,
 {
     for (uint32_t s = begin; s < end; s++) {
         const double j = point[s];
+        double distance2[ASKING];
+#pragma omp simd
+        for (int lane = 0; lane < ASKING; lane++)
+            distance2[lane] =
+                pair2(geometry, space, sorted.x[s] - a->x[lane],
+                      sorted.y[s] - a->y[lane])
+                    .near2;
+            //> Keep the nearest of each lane
 #pragma omp simd
         for (int lane = 0; lane < ASKING; lane++) {
-            double d2 = pair2(geometry, space, sorted.x[s] - a->x[lane],
-                              sorted.y[s] - a->y[lane])
-                            .near2;
+            double d2 = distance2[lane];
             bool better =
                 ((d2 < a->best2[lane]) |
                  ((d2 == a->best2[lane]) & (j < a->nearest[lane]))) &
@@ -34,6 +40,7 @@ INLINED void sweep(const enum geometry geometry, struct space space,
             a->best2[lane] = better ? d2 : a->best2[lane];
             a->nearest[lane] = better ? j : a->nearest[lane];
         }
+        //<
     }
     COUNT(distances, (uint64_t)(end - begin) * ASKING);
 }
@@ -66,7 +73,8 @@ INLINED void sweep_block(const enum geometry geometry,
 //<
 
 //> Seat the points that ask
-// Spare lanes have found what they want.
+// Lanes to spare are seated with the points that follow, as far as
+// there are any, and have found what they want.
 INLINED void seat(struct asking *a, struct points sorted,
                   const uint32_t *point, uint32_t begin, uint32_t last,
                   int width)
@@ -74,8 +82,7 @@ INLINED void seat(struct asking *a, struct points sorted,
 #pragma omp simd
     for (int lane = 0; lane < ASKING; lane++) {
         uint64_t s = (uint64_t)begin + lane;
-        if (s > last)
-            s = last;
+        s = s < last ? s : last;
         a->x[lane] = sorted.x[s];
         a->y[lane] = sorted.y[s];
         a->self[lane] = point[s];
@@ -85,31 +92,44 @@ INLINED void seat(struct asking *a, struct points sorted,
 }
 //<
 
-//> Ask until the block suffices
+//> Test all lanes
+// How many of them have no neighbor that is nearer than the margin.
+INLINED double lacking(const struct grid *grid,
+                       const struct block *block,
+                       const struct asking *a)
+{
+    double count = 0;
+#pragma omp simd reduction(+ : count)
+    for (int lane = 0; lane < ASKING; lane++) {
+        double margin =
+            block_margin(grid, block, a->x[lane], a->y[lane]);
+        count += a->best2[lane] < margin * margin ? 0 : 1;
+    }
+    return count;
+}
+//<
+
+//> Ask until the block suffices all
 INLINED void ask(const enum geometry geometry,
                  const struct question *question,
                  const struct grid *grid, const struct cells *cells,
-                 struct points sorted, uint32_t cell, uint32_t begin,
+                 struct points sorted, uint32_t row, uint32_t begin,
                  int width, struct answers *answers)
 {
+    uint32_t from = axis_cell(&grid->x, sorted.x[begin]);
+    uint32_t to = axis_cell(&grid->x, sorted.x[begin + width - 1]);
     struct asking asking;
-    if (sorted.n - begin >= ASKING)
+    if (sorted.n - begin >= ASKING) // no need to look where it ends
         seat(&asking, sorted, cells->point, begin, UINT32_MAX, width);
     else
         seat(&asking, sorted, cells->point, begin, sorted.n - 1, width);
-    bool enough = false;
-    for (uint32_t radius = 1; !enough; radius *= 2) {
-        struct block block = block_around(grid, cell, radius);
+    for (uint32_t radius = 1;; radius *= 2) {
+        struct block block = block_around(grid, row, from, to, radius);
         sweep_block(geometry, question, grid, cells, sorted, &block,
                     &asking);
-        double lacking = 0;
-#pragma omp simd reduction(+ : lacking)
-        for (int lane = 0; lane < ASKING; lane++) {
-            double m = block_margin(grid, &block, asking.x[lane],
-                                    asking.y[lane]);
-            lacking += asking.best2[lane] < m * m ? 0 : 1;
-        }
-        enough = lacking == 0 || block_covers(grid, &block);
+        if (lacking(grid, &block, &asking) == 0 ||
+            block_covers(grid, &block))
+            break;
     }
     for (int lane = 0; lane < width; lane++) {
         uint32_t i = cells->point[begin + lane];
@@ -119,21 +139,26 @@ INLINED void ask(const enum geometry geometry,
 }
 //<
 
-//> Go from cell to cell
+//> Go along the rows
+// A stripe is a part of a row, so that even one row can be shared out.
 INLINED void search(const enum geometry geometry,
                     const struct question *question,
                     const struct grid *grid, const struct cells *cells,
                     struct points sorted, struct answers *answers)
 {
-    const uint32_t m = grid_cells(grid);
+    const uint32_t columns = grid->x.count, rows = grid->y.count;
 #pragma omp parallel for num_threads(question->threads) \
-    schedule(dynamic, CELLS_PER_TURN)
-    for (uint32_t cell = 0; cell < m; cell++) {
-        uint32_t end = cells->start[cell + 1];
-        for (uint32_t s = cells->start[cell]; s < end; s += ASKING)
-            ask(geometry, question, grid, cells, sorted, cell, s,
-                end - s < ASKING ? (int)(end - s) : ASKING, answers);
-    }
+    schedule(dynamic, STRIPES_PER_TURN) collapse(2)
+    for (uint32_t row = 0; row < rows; row++)
+        for (uint32_t column = 0; column < columns; column += STRIPE) {
+            const uint32_t *start = cells->start + row * columns;
+            uint32_t beyond = column + STRIPE;
+            uint32_t end = start[beyond < columns ? beyond : columns];
+            for (uint32_t s = start[column]; s < end; s += ASKING)
+                ask(geometry, question, grid, cells, sorted, row, s,
+                    end - s < ASKING ? (int)(end - s) : ASKING,
+                    answers);
+        }
 }
 
 void search_together(const struct question *question,

@@ -1,10 +1,11 @@
 //> Declare the search that asks together
-// The nearest neighbors of points that are sorted by cell. The points
-// of a cell have the same block, so they ask together, each in a vector
-// lane of its own, and every candidate is loaded once for all of them;
-// the cells of one row of a block are neighbors in the sorted arrays,
-// and are gone through as one. About 9 c distances for each point and
-// spare lane, c points in a cell; threads share out the cells.
+// The nearest neighbors of points that are sorted by cell. Points that
+// follow each other in a row of cells have nearly the same block, so
+// four of them ask together, each in a vector lane of its own, and
+// every candidate is loaded once for all of them; the cells of one row
+// of the block are neighbors in the sorted arrays, and are gone through
+// as one. About 9 c + 9 distances a point, c points in a cell; threads
+// share out the rows.
 #pragma once
 #include "ch04-cell-sort/cells.h"
 

@@ -249,8 +249,8 @@ static void margins_hold(void)
         struct grid grid = grid_fit(&question, 1 + seed % 3);
         for (uint32_t i = 0; i < p.n; i++)
             for (uint32_t radius = 1; radius <= 16; radius *= 2) {
-                uint32_t home = grid_cell(&grid, p.x[i], p.y[i]);
-                struct block block = block_around(&grid, home, radius);
+                struct block block =
+                    block_of(&grid, p.x[i], p.y[i], radius);
                 double margin =
                     block_margin(&grid, &block, p.x[i], p.y[i]);
                 bool all = block.x.count == grid.x.count &&
@@ -454,6 +454,26 @@ static void counts_are_as_predicted(void)
     answers_free(&answers);
 }
 
+// Four who ask together have a block of three rows and, on average, 3
+// and 3 / c columns, and meet themselves and, on average, one more at
+// either end of their cells.
+static void counts_of_four(void)
+{
+    const uint32_t n = 40000, c = POINTS_PER_CELL;
+    struct answers answers = answers_allocate(n);
+    struct question question = {
+        generate(find_distribution("uniform"), n, 1),
+        {WRAPAROUND, 1, 1},
+        1};
+    double expected = 9 * c + 9 + 1;
+    struct counts found =
+        count_operations(find_algorithm("cells"), &question, &answers);
+    CHECK_NEAR(expected, (double)found.distances / n, 0.04 * expected,
+               "distances a point, four together");
+    points_free(&question.points);
+    answers_free(&answers);
+}
+
 // The share of wrong answers, against the one derived; some hundreds of
 // them, so that chance moves it by a few percent.
 static void errors_are_as_predicted(void)
@@ -516,6 +536,6 @@ int main(void)
         TEST(sorts_every_distribution), TEST(numbers_on_a_line),
         TEST(margins_hold), TEST(nine_cells_are_not_enough),
         TEST(the_test_makes_it_right), TEST(every_search_agrees),
-        TEST(counts_are_as_predicted), TEST(errors_are_as_predicted),
-        TEST(a_far_point));
+        TEST(counts_are_as_predicted), TEST(counts_of_four),
+        TEST(errors_are_as_predicted), TEST(a_far_point));
 }
