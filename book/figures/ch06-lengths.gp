@@ -6,11 +6,12 @@ table = data . "/ch06-lengths.tsv"
 stats table using "l1" nooutput; l1 = STATS_max / 1024
 stats table using "l2" nooutput; l2 = STATS_max / 1024
 stats table using "l3" nooutput; l3 = STATS_max / 1024
+set datafile missing NaN
 set logscale x 2
 set logscale y 10
 set xtics ("4 K" 4, "64 K" 64, "1 M" 1024, "16 M" 16384)
 set ytics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50)
-set yrange [0.06:60]
+set yrange [0.06:25]
 set xrange [3:180000]
 do for [c = 1:3] {
   at = c == 1 ? l1 : c == 2 ? l2 : l3
