@@ -10,7 +10,6 @@ set boxwidth 0.9
 set ylabel "ns a point"
 set yrange [0:*]
 set key top right
-set xtics ("serial" 0, "atomic" 1, "private" 2, "bands" 3, "small pages" 4, "large pages" 5, "copy" 6)
-set xtics rotate by -25
+set xtics ("serial" 0, "atomic" 1, "private" 2, "bands" 3, "small" 4, "large" 5, "copy" 6)
 plot table using "one" lt 1 fs solid 0.35 title "one thread", \
      "" using "all" lt 2 fs pattern 4 title "all processors"
