@@ -40,7 +40,7 @@ struct axis axis_cut(double low, double high, double period,
     double width = isfinite(period) ? period : high - low;
     struct axis axis = {count, low, count / width, NULL, period};
     if (!(isfinite(width) && isfinite(axis.scale)))
-        axis = (struct axis){1, low, 0, NULL, period};
+        axis = (struct axis){1, 0, 0, NULL, period}; // any x * 0 is 0
     axis.border = allocate((size_t)axis.count + 1, sizeof(double));
     axis.border[0] = low;
     for (uint32_t k = 1; k < axis.count; k++)

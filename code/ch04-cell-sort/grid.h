@@ -11,8 +11,8 @@
 
 struct axis {
     uint32_t count; // of cells, >= 1
-    double low;     // where the first begins
-    double scale;   // cells per unit of length
+    double low;     // x is in cell (x - low) * scale,
+    double scale;   // rounded down
     double *border; // border[0 .. count]
     double period;  // after which all repeats; INFINITY: nothing does
 };

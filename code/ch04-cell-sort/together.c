@@ -24,12 +24,13 @@ INLINED void sweep(const enum geometry geometry, struct space space,
         const double j = point[s];
         double distance2[ASKING];
 #pragma omp simd
-        for (int lane = 0; lane < ASKING; lane++)
+        for (int lane = 0; lane < ASKING; lane++) {
             distance2[lane] =
                 pair2(geometry, space, sorted.x[s] - a->x[lane],
                       sorted.y[s] - a->y[lane])
                     .near2;
-            //> Keep the nearest of each lane
+        }
+        //> Keep the nearest of each lane
 #pragma omp simd
         for (int lane = 0; lane < ASKING; lane++) {
             double d2 = distance2[lane];
