@@ -29,6 +29,23 @@ struct item {
     uint32_t cell, point;
 };
 
+//> Send every point to its band
+// Takes places from next, as scan_shares left it.
+static void send(const uint32_t *home, uint32_t n, int shares,
+                 int shift, uint32_t bands, uint32_t *next,
+                 struct item *item)
+{
+#pragma omp parallel for num_threads(shares)
+    for (int k = 0; k < shares; k++) {
+        uint32_t *mine = next + (size_t)k * bands;
+        uint32_t i = share_begin(n, k, shares);
+        uint32_t end = share_begin(n, k + 1, shares);
+        for (; i < end; i++)
+            item[mine[home[i] >> shift]++] = (struct item){home[i], i};
+    }
+}
+//<
+
 //> Sort a band
 // The items begin .. end - 1, all in the cells first .. last - 1.
 static void sort_band(const struct item *item, uint32_t begin,
@@ -57,29 +74,9 @@ struct cells cells_sort_threads(const struct grid *grid,
     uint32_t *home = allocate(n, sizeof *home);
     uint32_t *begin = allocate(bands + 1, sizeof *begin);
     uint32_t *next = allocate((size_t)threads * bands, sizeof *next);
-    //> Count the points of every band
-#pragma omp parallel for num_threads(threads)
-    for (int k = 0; k < threads; k++) {
-        uint32_t *mine = next + (size_t)k * bands;
-        uint32_t i = share_begin(n, k, threads);
-        uint32_t end = share_begin(n, k + 1, threads);
-        memset(mine, 0, bands * sizeof *mine);
-        find_homes(grid, points, i, end, home);
-        for (; i < end; i++)
-            mine[home[i] >> shift]++;
-    }
-    //<
+    count_shares(grid, points, threads, shift, bands, home, next);
     scan_shares(next, bands, threads, begin);
-    //> Send every point to its band
-#pragma omp parallel for num_threads(threads)
-    for (int k = 0; k < threads; k++) {
-        uint32_t *mine = next + (size_t)k * bands;
-        uint32_t i = share_begin(n, k, threads);
-        uint32_t end = share_begin(n, k + 1, threads);
-        for (; i < end; i++)
-            item[mine[home[i] >> shift]++] = (struct item){home[i], i};
-    }
-    //<
+    send(home, n, threads, shift, bands, next, item);
     //> Let one thread sort each band
     cells.start[0] = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic)

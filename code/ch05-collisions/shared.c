@@ -42,6 +42,24 @@ struct cells cells_sort_atomic(const struct grid *grid,
 }
 //<
 
+//> Count the points of every band
+void count_shares(const struct grid *grid, struct points points,
+                  int shares, int shift, uint32_t m, uint32_t *home,
+                  uint32_t *count)
+{
+#pragma omp parallel for num_threads(shares)
+    for (int k = 0; k < shares; k++) {
+        uint32_t *mine = count + (size_t)k * m;
+        uint32_t i = share_begin(points.n, k, shares);
+        uint32_t end = share_begin(points.n, k + 1, shares);
+        memset(mine, 0, m * sizeof *mine);
+        find_homes(grid, points, i, end, home);
+        for (; i < end; i++)
+            mine[home[i] >> shift]++;
+    }
+}
+//<
+
 //> Scan over cells and threads
 // All of a cell's points before those of the next cell, and of these
 // the first thread's before the next one's.
@@ -70,16 +88,7 @@ struct cells cells_sort_private(const struct grid *grid,
     struct cells cells = cells_allocate(m, n);
     uint32_t *home = allocate(n, sizeof *home);
     uint32_t *count = allocate((size_t)threads * m, sizeof *count);
-#pragma omp parallel for num_threads(threads)
-    for (int k = 0; k < threads; k++) {
-        uint32_t *mine = count + (size_t)k * m;
-        uint32_t i = share_begin(n, k, threads);
-        uint32_t end = share_begin(n, k + 1, threads);
-        memset(mine, 0, m * sizeof *mine);
-        find_homes(grid, points, i, end, home);
-        for (; i < end; i++)
-            mine[home[i]]++;
-    }
+    count_shares(grid, points, threads, 0, m, home, count);
     scan_shares(count, m, threads, cells.start);
 #pragma omp parallel for num_threads(threads)
     for (int k = 0; k < threads; k++) {
