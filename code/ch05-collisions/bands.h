@@ -7,7 +7,8 @@
 #include "ch04-cell-sort/cells.h"
 
 // The same as cells_sort, bit for bit; threads >= 1. Needs 12 bytes a
-// point beyond the result while it runs.
+// point beyond the result while it runs: 18 in all at two points a
+// cell.
 struct cells cells_sort_threads(const struct grid *grid,
                                 struct points points, int threads);
 

@@ -113,7 +113,7 @@ int main(int argc, char **argv)
         argument(argc, argv, 1, "POINTS", 1 << 14, 1 << 10, 1 << 25);
     int sets = argument(argc, argv, 2, "SETS", 10, 1, MANY);
     while (n & (n - 1))
-        n--; // a power of two, so that all groups are full
+        n &= n - 1; // a power of two, so that all groups are full
     report_provenance(stdout);
     puts("name\tn\tcells\tlanes\tothers\tpairs\tpairs_expected"
          "\tlosers\tlosers_expected");

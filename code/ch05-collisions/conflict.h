@@ -11,7 +11,8 @@
 void conflict_count(const uint32_t *home, uint32_t n, uint32_t *count);
 
 // Writes every point's number to the next free place of its cell, in
-// the order of the numbers.
+// the order of the numbers: next[cell] is a place of point[0 .. n-1],
+// and goes on to where the next cell begins.
 void conflict_place(const uint32_t *home, uint32_t n, uint32_t *next,
                     uint32_t *point);
 

@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "common/count.h"
 #include "common/fail.h"
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +16,7 @@ enum { CRAY_LANES = 64 };
 
 struct groups groups_allocate(uint32_t lanes, uint32_t cells)
 {
+    assert(lanes >= 1 && "somebody counts");
     return (struct groups){lanes, allocate(cells, sizeof(uint32_t)),
                            allocate(lanes, sizeof(uint32_t)),
                            allocate(lanes, sizeof(uint32_t))};

@@ -26,7 +26,9 @@ uint64_t groups_count(const struct groups *groups, const uint32_t *home,
                       uint32_t n, uint32_t *count);
 
 // Writes every point's number to the next free place of its cell, in
-// the order of the numbers. Returns how many lost.
+// the order of the numbers: next[0 .. cells - 1] are places of
+// point[0 .. n-1], and go on to where the next cell begins. Returns how
+// many lost.
 uint64_t groups_place(const struct groups *groups, const uint32_t *home,
                       uint32_t n, uint32_t *next, uint32_t *point);
 

@@ -48,11 +48,7 @@ static void count_racing(const uint32_t *home, uint32_t n, uint32_t m,
 // With names, so that the text can quote the first row, the sums.
 static void print_counts(uint32_t m, uint32_t *count)
 {
-    printf("name");
-    for (int way = 0; way < WAYS; way++)
-        printf("\t%s", (const char *[]){"right", "lanes8", "lanes64",
-                                        "lanes1024", "threads2"}[way]);
-    printf("\nall");
+    printf("name\tright\tlanes8\tlanes64\tlanes1024\tthreads2\nall");
     for (int way = 0; way < WAYS; way++) {
         uint64_t sum = 0;
         for (uint32_t cell = 0; cell < m; cell++)
@@ -71,8 +67,8 @@ static void print_counts(uint32_t m, uint32_t *count)
 int main(int argc, char **argv)
 {
     fail_as("lost-counts", NULL);
-    uint32_t n =
-        argument(argc, argv, 1, "POINTS", 1 << 20, MOST_LANES, MANY);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 1 << 20, MOST_LANES,
+                          UINT32_MAX / ROUNDS);
     n -= n % MOST_LANES; // groups without a rest
     struct points points =
         generate(find_distribution("clustered"), n, 2);

@@ -2,6 +2,7 @@
 // See blocked.h.
 #include "ch06-pack-scan/blocked.h"
 #include "common/fail.h"
+#include <assert.h>
 #include <omp.h>
 #include <stdlib.h>
 
@@ -43,6 +44,7 @@ uint32_t scan_blocked(const struct primitives *p, uint32_t *to,
                       const uint32_t *from, uint32_t n, uint32_t sum,
                       uint32_t block, int threads)
 {
+    assert(block >= 1 && "rounds go on");
     uint32_t *sums = allocate(threads, sizeof *sums);
 #pragma omp parallel num_threads(threads)
     {
@@ -85,6 +87,7 @@ uint32_t pack_blocked(const struct primitives *p, uint32_t *to,
                       const uint32_t *from, const uint8_t *keep,
                       uint32_t n, uint32_t block, int threads)
 {
+    assert(block >= 1 && "rounds go on");
     uint32_t *places = allocate(threads, sizeof *places), kept = 0;
 #pragma omp parallel num_threads(threads)
     {

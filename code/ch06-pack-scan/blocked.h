@@ -2,7 +2,8 @@
 // Both go over the array in rounds of one block for each thread, and
 // over every block twice: once to learn what stands before the others,
 // once to do the work. A block that fits into a cache is read from
-// memory only once. The result is the same for any number of threads.
+// memory only once (Chatterjee, Blelloch and Zagha 1990). The result is
+// the same for any number of threads.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 

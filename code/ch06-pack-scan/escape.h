@@ -26,6 +26,7 @@ void lanes_free(struct lanes *lanes);
 
 // Sets steps[0 .. c.n-1], at most limit, to the same numbers whether
 // the lanes are packed after every so many steps or, for 0, never.
+// There must be room for c.n lanes; 1 <= limit < UINT32_MAX.
 // Returns how many steps all lanes did together.
 uint64_t escape(const struct primitives *p, struct points c,
                 uint32_t limit, uint32_t every, struct lanes *lanes,

@@ -13,6 +13,7 @@ _Noreturn void fail(const char *format, ...)
 void fail_as(const char *program, void (*cleanup)(void));
 
 // Memory for count elements of size bytes each, 64-byte aligned, not
-// cleared; never NULL. Released with free().
+// cleared; never NULL. Released with free(). From 2 MB on, in whole
+// large pages where the system has them.
 void *allocate(size_t count, size_t size);
 //<
