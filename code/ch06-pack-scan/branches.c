@@ -37,6 +37,17 @@ static void run_packing(void *context)
     p->pack(p->to, p->from, p->keep, p->n);
 }
 
+//> Keep this share of the elements
+static void fill(struct packing *packing, int percent)
+{
+    struct random random = {percent + 1};
+    for (uint32_t i = 0; i < packing->n; i++) {
+        packing->from[i] = i;
+        packing->keep[i] = random_uniform(&random) * 100 < percent;
+    }
+}
+//<
+
 int main(int argc, char **argv)
 {
     fail_as("branches", NULL);
@@ -61,11 +72,7 @@ int main(int argc, char **argv)
          "\tportable_ns\tportable_ns_q1\tportable_ns_q3"
          "\tvector_ns\tvector_ns_q1\tvector_ns_q3");
     for (int percent = 0; percent <= 100; percent += 5) {
-        struct random random = {percent + 1};
-        for (uint32_t i = 0; i < n; i++) {
-            packing.from[i] = i;
-            packing.keep[i] = random_uniform(&random) * 100 < percent;
-        }
+        fill(&packing, percent);
         time_in_turn(trials, versions, VERSIONS);
         printf("kept_%d\t%d", percent, percent);
         for (int v = 0; v < VERSIONS; v++)

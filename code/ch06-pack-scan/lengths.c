@@ -15,23 +15,16 @@
 static void print_prices(size_t bytes, int trials)
 {
     const struct caches caches = caches_of_machine();
-    struct workload workloads[WORKS];
-    struct priced priced[2 * WORKS];
-    for (int work = 0; work < WORKS; work++) {
-        workloads[work] = workload_make(work, bytes);
-        for (int k = 0; k < 2; k++)
-            priced[2 * work + k] = (struct priced){
-                .primitives = primitives(k ? isa_chosen() : PORTABLE),
-                .workload = &workloads[work]};
-    }
-    price_in_turn(trials, priced, 2 * WORKS);
+    const struct primitives *both[] = {primitives(PORTABLE),
+                                       primitives(isa_chosen())};
+    struct summary ns[2][WORKS];
+    price_tables(trials, bytes, both, 2, ns);
     for (int work = 0; work < WORKS; work++) {
         printf("%s\t%zu\t%zu\t%zu\t%zu", work_names[work], bytes,
                caches.l1, caches.l2, caches.l3);
-        print_summary(&priced[2 * work].ns, 1);
-        print_summary(&priced[2 * work + 1].ns, 1);
+        print_summary(&ns[0][work], 1);
+        print_summary(&ns[1][work], 1);
         puts("");
-        workload_free(&workloads[work]);
     }
 }
 //<

@@ -1,8 +1,8 @@
 //> Price the primitives, cache by cache
 // Nanoseconds an element of each primitive, with the chosen instruction
 // set, on working sets that fit into a cache with room to spare, and on
-// one that fits into none. In the last columns, the portable ones in
-// the first cache.
+// one that fits into none. In the first columns, the portable ones in
+// the first cache, timed in turn with the chosen.
 //
 //     prices [TRIALS [LARGEST]]
 #include "ch02-all-pairs/timing.h"
@@ -28,25 +28,6 @@ static void working_sets(size_t bytes[static LEVELS], size_t largest)
 }
 //<
 
-//> Price every primitive on one level
-static void price(const struct primitives *p, size_t bytes, int trials,
-                  struct summary *ns)
-{
-    struct workload workloads[WORKS];
-    struct priced priced[WORKS];
-    for (int work = 0; work < WORKS; work++) {
-        workloads[work] = workload_make(work, bytes);
-        priced[work] = (struct priced){.primitives = p,
-                                       .workload = &workloads[work]};
-    }
-    price_in_turn(trials, priced, WORKS);
-    for (int work = 0; work < WORKS; work++) {
-        ns[work] = priced[work].ns;
-        workload_free(&workloads[work]);
-    }
-}
-//<
-
 int main(int argc, char **argv)
 {
     fail_as("prices", NULL);
@@ -55,15 +36,16 @@ int main(int argc, char **argv)
     working_sets(bytes, argument(argc, argv, 2, "LARGEST", 1 << 25,
                                  1 << 16, MANY));
     const struct primitives *chosen = primitives(isa_chosen());
-    struct summary ns[LEVELS + 1][WORKS];
-    for (int level = 0; level < LEVELS; level++)
-        price(chosen, bytes[level], trials, ns[level]);
-    price(primitives(PORTABLE), bytes[0], trials, ns[LEVELS]);
+    const struct primitives *both[] = {primitives(PORTABLE), chosen};
+    struct summary ns[1 + LEVELS][WORKS];
+    price_tables(trials, bytes[0], both, 2, ns);
+    for (int level = 1; level < LEVELS; level++)
+        price_tables(trials, bytes[level], &chosen, 1, ns + 1 + level);
 
     report_provenance(stdout);
     printf("name\tisa");
-    static const char *const columns[] = {"l1", "l2", "l3", "memory",
-                                          "portable_l1"};
+    static const char *const columns[] = {"portable_l1", "l1", "l2",
+                                          "l3", "memory"};
     for (int c = 0; c <= LEVELS; c++)
         printf("\t%s_ns\t%s_ns_q1\t%s_ns_q3", columns[c], columns[c],
                columns[c]);

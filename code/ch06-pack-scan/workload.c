@@ -136,4 +136,25 @@ void price_in_turn(int trials, struct priced *priced, int count)
     free(turns);
 }
 //<
+
+//> Price every primitive on one level
+void price_tables(int trials, size_t bytes,
+                  const struct primitives *const *tables, int count,
+                  struct summary ns[][WORKS])
+{
+    struct workload workloads[WORKS];
+    for (int work = 0; work < WORKS; work++)
+        workloads[work] = workload_make(work, bytes);
+    struct priced *priced = allocate(WORKS * count, sizeof *priced);
+    for (int k = 0; k < WORKS * count; k++)
+        priced[k] = (struct priced){.primitives = tables[k % count],
+                                    .workload = &workloads[k / count]};
+    price_in_turn(trials, priced, WORKS * count);
+    for (int k = 0; k < WORKS * count; k++)
+        ns[k % count][k / count] = priced[k].ns;
+    free(priced);
+    for (int work = 0; work < WORKS; work++)
+        workload_free(&workloads[work]);
+}
+//<
 //<

@@ -45,4 +45,10 @@ struct priced {
 
 // Times all of them in turn.
 void price_in_turn(int trials, struct priced *priced, int count);
+
+// Times every primitive of several tables in turn, on working sets of
+// so many bytes, and sets ns[table][work].
+void price_tables(int trials, size_t bytes,
+                  const struct primitives *const *tables, int count,
+                  struct summary ns[][WORKS]);
 //<
