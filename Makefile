@@ -218,7 +218,7 @@ check-race: | $(BUILD)/setup/check
 check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
 		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
-		-fsanitize=address,undefined"
+		-fsanitize=address,undefined,float-cast-overflow"
 
 #: lay out the C as .clang-format says
 format: | $(BUILD)/setup/check

@@ -1,6 +1,6 @@
 // Pack and scan: the primitives of every instruction set that this
-// machine has, and over threads; which instruction set
-// is chosen; and escape times, packed and not.
+// machine has, and over threads; which instruction set is chosen; and
+// escape times, packed and not.
 #include "ch06-pack-scan/blocked.h"
 #include "ch06-pack-scan/check_primitives.h"
 #include "ch06-pack-scan/escape.h"
@@ -183,7 +183,7 @@ static void escapes(void)
 
 int main(void)
 {
-    return RUN_TESTS("ch06", TEST(every_instruction_set),
+    return RUN_TESTS("ch06-pack-scan", TEST(every_instruction_set),
                      TEST(over_threads), TEST(instruction_set_by_name),
                      TEST(escapes));
 }
