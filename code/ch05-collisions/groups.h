@@ -1,7 +1,8 @@
 //> Declare the sort by groups
 // The sort of chapter 4 as a vector machine has to do it, L points at a
-// time, one in each lane (Su, figure 4). Lanes whose points share a
-// cell collide: one of them wins, the others are seen to one by one.
+// time, one in each lane (Kanada 1990; Su, figure 4). Lanes whose
+// points share a cell collide: one of them wins, the others are seen to
+// one by one.
 // Plain C, every loop over the lanes in a form that a vector unit with
 // gather and scatter can do. Expected cost for n uniform points, c to a
 // cell: n points and about c (L - 1) / 2 losers.

@@ -1,8 +1,9 @@
 //> Declare the primitives
-// What a vector machine does with whole arrays: elementwise arithmetic,
-// routes (gather and scatter), scan and pack. One table of functions
-// for each instruction set; all give the same results, to the last bit.
-// Arrays overlap only where it says so.
+// What a vector machine does with whole arrays (Iverson 1962, Blelloch
+// 1990): elementwise arithmetic, routes, which are gather and scatter,
+// scan and pack. One table of functions for each instruction set; all
+// give the same results, to the last bit. Arrays overlap only where it
+// says so.
 #pragma once
 #include "common/isa.h"
 #include <stdint.h>
