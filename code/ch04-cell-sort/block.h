@@ -20,13 +20,26 @@ struct block {
     struct reach x, y; // columns, rows
 };
 
+static inline double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double most(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 //> Reach along an axis
+// A stretch ends with the points, though cells may go on beyond them.
 static inline struct stretch stretch_of(const struct axis *axis,
                                         int64_t begin, int64_t end)
 {
     if (begin >= end)
         return (struct stretch){INFINITY, -INFINITY};
-    return (struct stretch){axis->border[begin], axis->border[end]};
+    return (struct stretch){
+        axis->border[begin],
+        least(axis->border[end], axis->border[axis->count])};
 }
 
 static inline struct reach axis_reach(const struct axis *axis,
@@ -73,16 +86,6 @@ static inline uint32_t reach_cell(const struct axis *axis,
 {
     uint32_t cell = reach->first + k;
     return cell < axis->count ? cell : cell - axis->count;
-}
-
-static inline double least(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static inline double most(double a, double b)
-{
-    return a > b ? a : b;
 }
 
 //> Find the least separation from what lies outside

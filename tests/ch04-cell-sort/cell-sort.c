@@ -528,6 +528,39 @@ static void a_far_point(void)
     answers_free(&answers);
 }
 
+// A box of one rounding step round points of the same height, with
+// cells beyond them: a border there is farther away than the box is
+// high, and must not pass for a way around it.
+static void cells_beyond_the_points(void)
+{
+    for (uint64_t seed = 0; seed < 2000; seed++) {
+        test_seed(seed);
+        struct random random = {seed};
+        struct points p = points_allocate(40);
+        double width = 0x1p-53 * (1 + random_bits(&random) % 4);
+        for (uint32_t i = 0; i < p.n; i++) {
+            double part = random_uniform(&random);
+            p.x[i] = width * part * part * part * part;
+            p.y[i] = 1;
+        }
+        struct question question = {p, {WRAPAROUND, width, 0x1p-53}, 1};
+        struct answers right = answers_allocate(p.n);
+        struct answers found = answers_allocate(p.n);
+        search_plainly(&question, &right);
+        for (int row = 0; row < algorithm_count; row++) {
+            algorithms[row].run(&question, &found);
+            for (uint32_t i = 0; i < p.n; i++)
+                if (!CHECK_INT(right.nearest[i], found.nearest[i],
+                               "%s: neighbor of point %u",
+                               algorithms[row].name, i))
+                    break;
+        }
+        answers_free(&found);
+        answers_free(&right);
+        points_free(&p);
+    }
+}
+
 int main(void)
 {
     return RUN_TESTS(
@@ -537,5 +570,6 @@ int main(void)
         TEST(margins_hold), TEST(nine_cells_are_not_enough),
         TEST(the_test_makes_it_right), TEST(every_search_agrees),
         TEST(counts_are_as_predicted), TEST(counts_of_four),
-        TEST(errors_are_as_predicted), TEST(a_far_point));
+        TEST(errors_are_as_predicted), TEST(a_far_point),
+        TEST(cells_beyond_the_points));
 }
