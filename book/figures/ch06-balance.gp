@@ -1,7 +1,7 @@
 # Nanoseconds for a useful step against how often the lanes are packed,
 # in short and in long vectors, and what the prices predict.
 # demo: plot
-height = 2.9
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch06-balance.tsv"
 prices = data . "/ch06-prices.tsv"

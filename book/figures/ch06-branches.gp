@@ -1,7 +1,7 @@
 # Nanoseconds an element of three packs against the share that is kept,
 # and what a branch should cost if the larger side is always guessed.
 # demo: plot
-height = 2.5
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch06-branches.tsv"
 set xlabel "kept, percent"

@@ -1,6 +1,6 @@
 # The share of the points that are still on their way after k steps, and
 # what of it will not stay forever.
-height = 2.5
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch06-emptying.tsv"
 set logscale xy

@@ -9,7 +9,7 @@ set palette defined (0 "white", 1 "#c4c4c4", 2 "black")
 set cbrange [0:2]
 set autoscale fix
 set yrange [*:*] reverse
-set ylabel "step" offset 1
+set ylabel "step"
 set xlabel "lane"
 set xtics ("0" 0, "60" 60, "120" 120, "180" 180, \
   "0" 256, "60" 316, "120" 376, "180" 436)

@@ -1,6 +1,6 @@
 # Nanoseconds an element of the primitives against the bytes that they
 # touch, with the sizes of the caches.
-height = 3.3
+height = 2.7
 load "book/figures/style.gp"
 table = data . "/ch06-lengths.tsv"
 stats table using "l1" nooutput; l1 = STATS_max / 1024
@@ -21,17 +21,18 @@ do for [c = 1:3] {
 of(name, k) = strcol(1) eq name ? column(k) : NaN
 lines = "gather_at_random scatter_at_random gather_in_order elementwise scan pack"
 array titles[6] = ["gather at random", "scatter at random", "gather in order", "elementwise", "scan", "pack"]
+array shapes[6] = [7, 5, 9, 2, 4, 6]
 set multiplot layout 1,2 margins 0.09,0.98,0.15,0.75 spacing 0.03
 set xlabel "working set, bytes" offset 0,0.3
 set label 10 "portable" at graph 0.5,1.05 center
 set ylabel "ns an element" offset 1
 set key at screen 0.53,0.995 center top vertical maxrows 3 samplen 2
 plot for [k = 1:6] table using ($2/1024):(of(word(lines, k), "portable_ns")) \
-  with linespoints lt k ps 0.45 title titles[k]
+  with linespoints lt k pt shapes[k] ps 0.5 title titles[k]
 set label 10 "vector instructions"
 unset ylabel
 unset key
 set format y ""
 plot for [k = 1:6] table using ($2/1024):(of(word(lines, k), "vector_ns")) \
-  with linespoints lt k ps 0.45
+  with linespoints lt k pt shapes[k] ps 0.5
 unset multiplot

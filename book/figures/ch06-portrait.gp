@@ -1,5 +1,5 @@
 # The points of the plane, darker the longer they are on their way.
-height = 3.0
+height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch06-portrait.tsv"
 set border 15 ls 10

@@ -13,6 +13,7 @@ static void add(double *to, const double *a, const double *b,
                 uint32_t n)
 {
     uint32_t whole = n / 4 * 4;
+#pragma GCC unroll 4
     for (uint32_t i = 0; i < whole; i += 4)
         _mm256_storeu_pd(to + i, _mm256_add_pd(_mm256_loadu_pd(a + i),
                                                _mm256_loadu_pd(b + i)));
