@@ -1,3 +1,3 @@
 #!/bin/sh
-# Distances and nanoseconds a point, for cells of two points and cells that grow
+# Distances a point, for cells of two points and cells that grow
 exec "$BUILD/ch04/crowding" ${FULL:+409600}

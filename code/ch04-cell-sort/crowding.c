@@ -1,7 +1,6 @@
 //> Let the cells grow with the points, or not
-// Distances and time for each point as the points grow in number, for
-// cells that hold two points and for cells that hold sqrt(n). One
-// thread.
+// Distances computed for each point as the points grow in number, for
+// cells that hold two points and for cells that hold sqrt(n).
 //
 //     crowding [MOST]
 #include "ch02-all-pairs/timing.h"
@@ -12,22 +11,18 @@
 #include "common/report.h"
 #include <stdio.h>
 
-//> Count and time one search
+//> Count one search
 static void print_search(const struct question *question, double c,
                          struct answers *answers)
 {
     const uint32_t n = question->points.n;
-    int64_t begun = clock_ns();
     struct grid grid = grid_fit(question, c);
     struct cells cells = cells_sort(&grid, question->points);
     struct points sorted =
         points_in_order(question->points, cells.point);
-    search_sorted(question, &grid, &cells, sorted, answers);
-    int64_t time = clock_ns() - begun;
     counting_take();
     counting_search_sorted(question, &grid, &cells, sorted, answers);
-    printf("\t%.5g\t%.4g", (double)counting_take().distances / n,
-           (double)time / n);
+    printf("\t%.5g", (double)counting_take().distances / n);
     points_free(&sorted);
     cells_free(&cells);
     grid_free(&grid);
@@ -39,7 +34,7 @@ int main(int argc, char **argv)
     fail_as("crowding", NULL);
     uint32_t most = argument(argc, argv, 1, "MOST", 25600, 100, MANY);
     report_provenance(stdout);
-    puts("name\tn\ttwo\ttwo_ns\troot\troot_ns");
+    puts("name\tn\ttwo\troot");
     for (uint64_t n = 100; n <= most; n *= 4) {
         struct question question = uniform_question(STANDARD, n, 1);
         struct answers answers = answers_allocate(n);

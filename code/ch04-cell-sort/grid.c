@@ -7,9 +7,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// So that cells can be counted in 32 bits, and twice as many in 64.
-enum { MOST_CELLS = 1 << 30 };
-
 //> Find where a cell begins
 // The least x that lies in cell k or beyond. low + k / scale is right
 // but for a few roundings; between its two neighbors we halve.
@@ -96,7 +93,7 @@ struct grid grid_fit(const struct question *question, double c)
     bool wraps = space.geometry == WRAPAROUND;
     double width = wraps ? space.width : right - left;
     double height = wraps ? space.height : top - bottom;
-    double cells = fmax(1, fmin(round(p.n / c), MOST_CELLS));
+    double cells = cells_for(p.n, c);
     uint32_t columns = columns_of(width, height, cells);
     uint32_t rows = fmax(1, floor(cells / columns));
     return (struct grid){

@@ -46,6 +46,14 @@ static inline uint32_t grid_cells(const struct grid *grid)
     return grid->x.count * grid->y.count;
 }
 
+// How many cells hold c of n points each: n / c, but at least one, and
+// so few that twice as many, once round and on, count in 32 bits.
+static inline uint32_t cells_for(uint32_t n, double c)
+{
+    enum { MOST_CELLS = 1 << 30 };
+    return fmax(1, fmin(round(n / c), MOST_CELLS));
+}
+
 // Cuts the stretch from low to high, or if period is finite all of that
 // from low on, into count cells; into one if it is too short or too
 // long to be cut. Released with axis_free.

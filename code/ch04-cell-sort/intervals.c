@@ -13,7 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { QUESTIONS = 10000, WAYS = 3, FEW = 10, MANY_RESULTS = 1000 };
+enum { SCAN, SORTED, BINS, WAYS };
+enum { QUESTIONS = 10000, FEW = 10, MANY_RESULTS = 1000 };
 
 static const double per_bin = 2;
 
@@ -29,34 +30,66 @@ struct work {
 static void build(void *context)
 {
     struct work *w = context;
-    if (w->way == 1) {
+    if (w->way == SORTED) {
         memcpy(w->sorted, w->numbers, w->n * sizeof *w->sorted);
         sort_numbers(w->sorted, w->n);
-    } else if (w->way == 2) {
+    } else if (w->way == BINS) {
         bins_free(&w->bins);
         w->bins = bins_make(w->numbers, w->n, per_bin);
     }
+}
+
+// A scan takes long enough for ten questions to be timed.
+static int questions(int way)
+{
+    return way == SCAN ? 10 : QUESTIONS;
 }
 
 static void ask(void *context)
 {
     struct work *w = context;
     double width = (double)w->results / w->n;
-    // A scan takes long enough for ten questions to be timed.
-    int questions = w->way == 0 ? 10 : QUESTIONS;
-    for (int q = 0; q < questions; q++) {
+    for (int q = 0; q < questions(w->way); q++) {
         double a = w->from[q] * (1 - width), b = a + width;
         w->count +=
-            w->way == 0 ? scan_between(w->numbers, w->n, a, b, w->found)
-            : w->way == 1
+            w->way == SCAN
+                ? scan_between(w->numbers, w->n, a, b, w->found)
+            : w->way == SORTED
                 ? sorted_between(w->sorted, w->n, a, b, w->found)
                 : bins_between(&w->bins, a, b, w->found);
     }
 }
 
-static void print_row(uint32_t n, int trials)
+//> Build and ask three structures in turn
+static void print_rows(struct work *works, int trials)
 {
-    static const char *const ways[WAYS] = {"scan", "sorted", "bins"};
+    static const char *const names[WAYS] = {"scan", "sorted", "bins"};
+    struct trial built[WAYS], few[WAYS], many[WAYS];
+    for (int w = 0; w < WAYS; w++) {
+        built[w] = (struct trial){.work = build, .context = &works[w]};
+        few[w] = many[w] =
+            (struct trial){.work = ask, .context = &works[w]};
+    }
+    time_in_turn(trials, built, WAYS);
+    for (int w = 0; w < WAYS; w++)
+        works[w].results = FEW;
+    time_in_turn(trials, few, WAYS);
+    for (int w = 0; w < WAYS; w++)
+        works[w].results = MANY_RESULTS;
+    time_in_turn(trials, many, WAYS);
+    for (int w = 0; w < WAYS; w++) {
+        printf("%s_%u\t%u", names[w], works[w].n, works[w].n);
+        print_summary(&built[w].summary, works[w].n);
+        print_summary(&few[w].summary, questions(w));
+        print_summary(&many[w].summary, questions(w));
+        puts("");
+    }
+    fflush(stdout);
+}
+//<
+
+static void compare_ways(uint32_t n, int trials)
+{
     struct random random = {1};
     double *numbers = allocate(n, sizeof *numbers);
     for (uint32_t i = 0; i < n; i++)
@@ -64,28 +97,20 @@ static void print_row(uint32_t n, int trials)
     static double from[QUESTIONS];
     for (int q = 0; q < QUESTIONS; q++)
         from[q] = random_uniform(&random);
-    for (int way = 0; way < WAYS; way++) {
-        struct work w = {.way = way,
-                         .n = n,
-                         .numbers = numbers,
-                         .sorted = allocate(n, sizeof(double)),
-                         .found = allocate(n, sizeof(double)),
-                         .from = from};
-        struct summary built = time_trials(trials, build, &w);
-        printf("%s_%u\t%u", ways[way], n, n);
-        print_summary(&built, n);
-        for (w.results = FEW; w.results <= MANY_RESULTS;
-             w.results *= MANY_RESULTS / FEW) {
-            struct summary asked = time_trials(trials, ask, &w);
-            print_summary(&asked, way == 0 ? 10 : QUESTIONS);
-        }
-        puts("");
-        fflush(stdout);
-        if (way == 2)
-            bins_free(&w.bins);
-        free(w.sorted);
-        free(w.found);
+    struct work works[WAYS];
+    for (int w = 0; w < WAYS; w++)
+        works[w] = (struct work){.way = w,
+                                 .n = n,
+                                 .numbers = numbers,
+                                 .sorted = allocate(n, sizeof(double)),
+                                 .found = allocate(n, sizeof(double)),
+                                 .from = from};
+    print_rows(works, trials);
+    for (int w = 0; w < WAYS; w++) {
+        free(works[w].sorted);
+        free(works[w].found);
     }
+    bins_free(&works[BINS].bins);
     free(numbers);
 }
 
@@ -99,7 +124,7 @@ int main(int argc, char **argv)
     puts("name\tn\tbuild\tbuild_q1\tbuild_q3\tfew\tfew_q1\tfew_q3"
          "\tmany\tmany_q1\tmany_q3");
     for (uint64_t n = 10000; n <= most; n *= 10)
-        print_row(n, trials);
+        compare_ways(n, trials);
     return 0;
 }
 //<

@@ -62,9 +62,9 @@ struct bins bins_make(const double *x, uint32_t n, double c)
         low = fmin(low, x[i]);
         high = fmax(high, x[i]);
     }
-    uint32_t m = fmax(1, round(n / c));
-    struct bins bins = {.axis = axis_cut(low, high, INFINITY, m)};
-    m = bins.axis.count;
+    struct bins bins = {
+        .axis = axis_cut(low, high, INFINITY, cells_for(n, c))};
+    const uint32_t m = bins.axis.count;
     bins.start = allocate((size_t)m + 1, sizeof *bins.start);
     bins.x = allocate(n, sizeof *bins.x);
 
