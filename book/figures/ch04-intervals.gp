@@ -7,7 +7,7 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 set xlabel "numbers, N"
-set ylabel "ns a question" offset 1
+set ylabel "ns a question" offset -0.5
 set xrange [7e3:1.4e6]
 set yrange [10:1e7]
 plot table using "n":"few":"few_q1":"few_q3" every 3::0 with yerrorlines lt 1 title "look at all", \

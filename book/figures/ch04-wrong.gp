@@ -10,7 +10,7 @@ set xrange [0.22:4.5]
 set yrange [1e-8:1]
 set format y "10^{%T}"
 set xlabel "points in a cell, c"
-set ylabel "share of wrong neighbors" offset 1
+set ylabel "share of wrong neighbors" offset -0.5
 set key top right
 set xtics ("1/4" 0.25, "1/2" 0.5, "1" 1, "2" 2, "3" 3, "4" 4)
 q(k) = 2 * erf(2 * k) - erf(k) + (exp(-4 * k * k) - exp(-k * k)) / (k * sqrt(pi))
