@@ -181,9 +181,10 @@ static void escapes(void)
     points_free(&c);
 }
 
+// The one that forks comes first, before there are threads.
 int main(void)
 {
-    return RUN_TESTS("ch06-pack-scan", TEST(every_instruction_set),
-                     TEST(over_threads), TEST(instruction_set_by_name),
+    return RUN_TESTS("ch06-pack-scan", TEST(instruction_set_by_name),
+                     TEST(every_instruction_set), TEST(over_threads),
                      TEST(escapes));
 }
