@@ -69,8 +69,7 @@ struct bins bins_make(const double *x, uint32_t n, double c)
     bins.x = allocate(n, sizeof *bins.x);
 
     //> Count, scan and place the numbers
-    uint32_t *next =
-        bins.start + 1; // becomes the start of the next bin
+    uint32_t *next = bins.start + 1; // the start of the next bin
     memset(bins.start, 0, ((size_t)m + 1) * sizeof *bins.start);
     for (uint32_t i = 0; i < n; i++)
         next[axis_cell(&bins.axis, x[i])]++;
