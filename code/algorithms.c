@@ -12,6 +12,7 @@
 #include "ch04-cell-sort/together.h"
 #include "ch05-collisions/bands.h"
 #include "ch05-collisions/groups.h"
+#include "ch07-spiral/spiral.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,6 +44,8 @@ const struct algorithm TABLE[] = {
      "indices sorted by cell", cells_indices},
     {"cells-sorted", 4, STANDARD | WRAPAROUND, NEAREST, "n",
      "points sorted by cell", cells_sorted},
+    {"spiral", 7, STANDARD | WRAPAROUND, NEAREST, "n",
+     "out in layers of cells", spiral},
     {"cells-groups", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted 64 at a time", cells_groups},
     {"cells", 4, STANDARD | WRAPAROUND, NEAREST, "n",

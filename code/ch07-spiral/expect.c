@@ -1,0 +1,26 @@
+//> Print what is expected
+// Distances and cells a point over c, and what the report's formula
+// gives. No point is generated.
+//
+//     expect
+#include "ch07-spiral/expected.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <stdio.h>
+
+// Named by c in tenths: c5, c10.
+int main(void)
+{
+    fail_as("expect", NULL);
+    report_provenance(stdout);
+    puts("name\tc\tdistances\tcells\tprinted\tweighted");
+    for (int tenths = 3; tenths <= 80; tenths++) {
+        double c = tenths / 10.0;
+        struct expected expected = expected_spiral(c);
+        printf("c%d\t%g\t%.6g\t%.6g\t%.6g\t%.6g\n", tenths, c,
+               expected.distances, expected.cells, expected_printed(c),
+               expected_weighted(c));
+    }
+    return 0;
+}
+//<

@@ -1,0 +1,117 @@
+//> Expect so many distances
+// See expected.h. Lengths are in cells, and the cell of the point that
+// asks is the unit square.
+#include "ch07-spiral/expected.h"
+#include <math.h>
+#include <stdlib.h>
+
+// Layers beyond are looked at less often than once in 10^9, if c >= 1/4
+// (an empty block of 15 by 15 cells); and the steps of the integral.
+enum { LAYERS = 12, STEPS = 64 };
+static const double negligible = 1e-10;
+
+//> Cut a quarter disc to a box
+// Area of the points within r of a corner of an a by b box, in the box.
+static double quarter(double a, double b, double r)
+{
+    a = fmin(a, r), b = fmin(b, r);
+    double from = sqrt(r * r - b * b); // where the arc comes down
+    if (a <= from)
+        return a * b;
+    double end = a * sqrt(r * r - a * a) + r * r * asin(a / r);
+    double begin = from * b + r * r * asin(from / r);
+    return from * b + (end - begin) / 2;
+}
+//<
+
+//> Cut a disc to a layer
+// Around (u, v), in layers 0 to k.
+static double disc_in_block(double u, double v, double r, int k)
+{
+    if (k < 0 || r == 0)
+        return 0;
+    double west = k + u, east = k + 1 - u;
+    double south = k + v, north = k + 1 - v;
+    return quarter(west, south, r) + quarter(east, south, r) +
+           quarter(west, north, r) + quarter(east, north, r);
+}
+
+static double disc_in_layer(double u, double v, double r, int k)
+{
+    return disc_in_block(u, v, r, k) - disc_in_block(u, v, r, k - 1);
+}
+//<
+
+static double cells_in_block(int k)
+{
+    return k < 0 ? 0 : (2.0 * k + 1) * (2 * k + 1);
+}
+
+// From u to the cells dx steps away.
+static double gap(double u, int dx)
+{
+    return dx > 0 ? dx - u : dx < 0 ? u - dx - 1 : 0;
+}
+
+//> Look beyond a layer
+// The probability that phase one ends with layer k and phase two looks
+// at a cell further out, for a point at (u, v) and a cell that its
+// square meets if D is at least d: nothing in the layers before k, nor
+// nearer than d in layer k, but something.
+static double looks(double c, double u, double v, double d, int k)
+{
+    double before = cells_in_block(k - 1);
+    double layer = cells_in_block(k) - before;
+    return exp(-c * before) *
+           (exp(-c * disc_in_layer(u, v, d, k)) - exp(-c * layer));
+}
+//<
+
+//> Average over the places in a cell
+// How often the cell (dx, dy) steps away, of layer m, is looked at.
+static double looks_at(double c, int dx, int dy, int m)
+{
+    double sum = 0;
+    for (int place = 0; place < STEPS * STEPS; place++) {
+        double u = (place % STEPS + 0.5) / STEPS;
+        double v = (place / STEPS + 0.5) / STEPS;
+        double d = fmax(gap(u, dx), gap(v, dy));
+        for (int k = 0;
+             k < m && exp(-c * cells_in_block(k - 1)) > negligible; k++)
+            if (d < (k + 1) * sqrt(2)) // as far as a point of layer k
+                sum += looks(c, u, v, d, k);
+    }
+    return sum / (STEPS * STEPS) + exp(-c * cells_in_block(m - 1));
+}
+//<
+
+//> Add up the cells
+// Of every layer an eighth would do, but for its ends.
+struct expected expected_spiral(double c)
+{
+    double cells = 1;
+    for (int m = 1; m < LAYERS; m++)
+        for (int d = -m; d < m; d++) // one side of the layer
+            cells += 4 * looks_at(c, m, d, m);
+    return (struct expected){cells, c * cells};
+}
+//<
+
+//> Estimate as the report does
+double expected_printed(double c)
+{
+    double sum = 9 * c * (1 - exp(-c));
+    for (int k = 1; k <= 7; k++)
+        sum += 25 * c * exp(-k * c);
+    return sum;
+}
+
+double expected_weighted(double c)
+{
+    double sum = 9 * c * (1 - exp(-c));
+    for (int k = 1; k <= 8; k++)
+        sum += 25 * c * exp(-k * c) * (1 - exp(-c));
+    return sum;
+}
+//<
+//<

@@ -1,0 +1,19 @@
+//> Declare what a spiral search should cost
+// For points scattered at random over a boundless plane, c to a cell:
+// how much a point that asks has to look at, on average. The numbers
+// that follow from the probability that cells are empty, by one
+// integral over the place of the point in its cell.
+#pragma once
+
+struct expected {
+    double cells;     // looked at
+    double distances; // measured
+};
+
+struct expected expected_spiral(double c);
+
+// What the report estimates (Su): when k cells are empty, 9 or 25 cells
+// are searched, with the weights that it prints, and with those of
+// exactly k empty cells.
+double expected_printed(double c), expected_weighted(double c);
+//<

@@ -1,0 +1,108 @@
+//> Vary the number of points
+// Distances a point for one and for two points to a cell, and the time
+// of the search that the table has, with the points asking as they come
+// and in the order of the cells: over several sets of points. And how
+// many points fill the caches, if each asks at random for what the
+// search reads of a point: two coordinates, an index, half a start.
+//
+//     sizes [MOST [SETS]]
+#include "ch02-all-pairs/timing.h"
+#include "ch06-pack-scan/caches.h"
+#include "ch07-spiral/census.h"
+#include "ch07-spiral/spiral.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { BYTES_READ = 22, LOTS = 1000000 };
+
+//> Try several sets of points
+struct samples {
+    double *one, *two;        // distances a point
+    double *coming, *ordered; // ns a point, without the sort
+};
+
+static double time_search(const struct question *question,
+                          const struct grid *grid,
+                          const struct cells *cells,
+                          const uint32_t *order,
+                          struct answers *answers)
+{
+    int64_t begin = clock_ns();
+    search_spiral(question, grid, cells, order, answers);
+    return (double)(clock_ns() - begin) / question->points.n;
+}
+
+static void try_set(uint32_t n, int set, struct samples *samples)
+{
+    struct question question = uniform_question(STANDARD, n, set + 1);
+    struct answers answers = answers_allocate(n);
+    question.threads = omp_get_num_procs();
+    samples->one[set] = take_census(&question, 1).distances;
+    samples->two[set] = take_census(&question, 2).distances;
+    question.threads = 1;
+    struct grid grid = grid_fit(&question, 2);
+    struct cells cells = cells_sort(&grid, question.points);
+    time_search(&question, &grid, &cells, NULL, &answers); // warm up
+    samples->coming[set] =
+        time_search(&question, &grid, &cells, NULL, &answers);
+    samples->ordered[set] =
+        time_search(&question, &grid, &cells, cells.point, &answers);
+    cells_free(&cells);
+    grid_free(&grid);
+    answers_free(&answers);
+    points_free(&question.points);
+}
+//<
+
+static void print_five(double *values, int sets)
+{
+    struct summary s = summarize(values, sets);
+    printf("\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g", s.median, s.q1, s.q3,
+           s.min, s.max);
+}
+
+static void print_size(uint32_t n, int sets, struct samples *samples)
+{
+    for (int set = 0; set < sets; set++)
+        try_set(n, set, samples);
+    struct caches caches = caches_of_machine();
+    printf("n%u\t%u\t%d", n, n, sets);
+    print_five(samples->one, sets);
+    print_five(samples->two, sets);
+    print_five(samples->coming, sets);
+    print_five(samples->ordered, sets);
+    printf("\t%zu\t%zu\n", caches.l2 / BYTES_READ,
+           caches.l3 / BYTES_READ);
+}
+
+// The largest sets are few: they take long, and differ little.
+int main(int argc, char **argv)
+{
+    fail_as("sizes", NULL);
+    uint32_t most = argument(argc, argv, 1, "MOST", LOTS, 1000, MANY);
+    int sets = argument(argc, argv, 2, "SETS", 5, 1, 1000);
+    double *room = allocate(4 * (size_t)sets, sizeof *room);
+    struct samples samples = {room, room + sets, room + 2 * sets,
+                              room + 3 * sets};
+    report_provenance(stdout);
+    printf("name\tn\tsets");
+    const char *columns[] = {"one", "two", "coming", "ordered"};
+    for (int k = 0; k < 4; k++)
+        printf("\t%s\t%s_q1\t%s_q3\t%s_min\t%s_max", columns[k],
+               columns[k], columns[k], columns[k], columns[k]);
+    puts("\tl2_points\tl3_points");
+    for (uint64_t n = 1000; n <= most; n *= 10)
+        for (int third = 0; third < 2; third++) {
+            uint64_t points = third ? 3 * n : n;
+            if (points <= most)
+                print_size(points, points > LOTS && sets > 3 ? 3 : sets,
+                           &samples);
+        }
+    free(room);
+    return 0;
+}
+//<
