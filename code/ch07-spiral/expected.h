@@ -12,6 +12,9 @@ struct expected {
 
 struct expected expected_spiral(double c);
 
+// How often the cell (dx, dy) steps away is looked at.
+double expected_looks(double c, int dx, int dy);
+
 // What the report estimates (Su): when k cells are empty, 9 or 25 cells
 // are searched, with the weights that it prints, and with those of
 // exactly k empty cells.

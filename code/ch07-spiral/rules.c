@@ -40,8 +40,8 @@ INLINED void look_if_near(const enum geometry geometry,
 //<
 
 //> Seek in whole layers
-// One layer further than the first that is not empty, or until nothing
-// outside can be nearer.
+// One layer further than the first that is not empty; or as long as a
+// point outside can be as near as D.
 static void seek_layers(enum rule rule, const struct map *map,
                         struct seeker *seeker)
 {
@@ -55,17 +55,18 @@ static void seek_layers(enum rule rule, const struct map *map,
     while (seeker->nearest == NOBODY)
         look_at_layer(STANDARD, map, column, row, &all, k++,
                       look_at_cell, seeker);
-    double best2 = seeker->best2;
-    bool further = true;
-    while (further) {
+    const int32_t next = k;
+    const double best2 = seeker->best2;
+    for (;; k++) {
         struct block block = block_around(grid, home, k - 1);
-        double margin =
-            block_margin(grid, &block, seeker->x, seeker->y);
-        if (rule == WHOLE_LAYERS && margin * margin > best2)
+        double x = seeker->x, y = seeker->y;
+        if (rule == ONE_MORE
+                ? k > next
+                : block_suffices(best2,
+                                 block_margin(grid, &block, x, y)))
             break;
-        look_at_layer(STANDARD, map, column, row, &all, k++,
-                      look_at_cell, seeker);
-        further = rule == WHOLE_LAYERS;
+        look_at_layer(STANDARD, map, column, row, &all, k, look_at_cell,
+                      seeker);
     }
 }
 //<

@@ -46,7 +46,6 @@ static void try_set(uint32_t n, int set, struct samples *samples)
     question.threads = 1;
     struct grid grid = grid_fit(&question, 2);
     struct cells cells = cells_sort(&grid, question.points);
-    time_search(&question, &grid, &cells, NULL, &answers); // warm up
     samples->coming[set] =
         time_search(&question, &grid, &cells, NULL, &answers);
     samples->ordered[set] =

@@ -1,0 +1,3 @@
+#!/bin/sh
+# One search, cell by cell
+exec "$BUILD/ch07/trace"
