@@ -13,13 +13,13 @@ int main(void)
 {
     fail_as("expect", NULL);
     report_provenance(stdout);
-    puts("name\tc\tdistances\tcells\tprinted\tweighted");
+    puts("name\tc\tdistances\tcells\tprinted\tone_more");
     for (int tenths = 3; tenths <= 80; tenths++) {
         double c = tenths / 10.0;
         struct expected expected = expected_spiral(c);
         printf("c%d\t%g\t%.6g\t%.6g\t%.6g\t%.6g\n", tenths, c,
                expected.distances, expected.cells, expected_printed(c),
-               expected_weighted(c));
+               expected_one_more(c));
     }
     return 0;
 }

@@ -106,12 +106,13 @@ double expected_printed(double c)
     return sum;
 }
 
-double expected_weighted(double c)
+// Layer m is looked at unless a layer before m - 1 holds a point.
+double expected_one_more(double c)
 {
-    double sum = 9 * c * (1 - exp(-c));
-    for (int k = 1; k <= 8; k++)
-        sum += 25 * c * exp(-k * c) * (1 - exp(-c));
-    return sum;
+    double cells = 9;
+    for (int m = 2; m <= LAYERS; m++)
+        cells += 8 * m * exp(-c * cells_in_block(m - 2));
+    return c * cells;
 }
 //<
 //<

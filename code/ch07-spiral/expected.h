@@ -15,8 +15,8 @@ struct expected expected_spiral(double c);
 // How often the cell (dx, dy) steps away is looked at.
 double expected_looks(double c, int dx, int dy);
 
-// What the report estimates (Su): when k cells are empty, 9 or 25 cells
-// are searched, with the weights that it prints, and with those of
-// exactly k empty cells.
-double expected_printed(double c), expected_weighted(double c);
+// The distances if whole layers are looked at, one more than phase one;
+// and what the report estimates (Su): 9 or 25 cells, after k empty
+// ones, with the weights that it prints.
+double expected_one_more(double c), expected_printed(double c);
 //<

@@ -1,0 +1,45 @@
+# One search: the layers of phase one, the square, and the cells that
+# phase two looked at, numbered as it went.
+height = 3.1
+load "book/figures/style.gp"
+table = data . "/ch07-trace.tsv"
+of(name, k) = strcol(1) eq name ? column(k) : NaN
+phase(p, k) = strcol(1) eq "cell" && $6 == p ? column(k) : NaN
+unset tics; unset grid; unset border
+set size ratio -1
+do for [name in "cell query first neighbor"] {
+  stats table using (of(name, 2)) name name . "_x" nooutput
+  stats table using (of(name, 3)) name name . "_y" nooutput
+}
+x = query_x_min; y = query_y_min
+side = sqrt((first_x_min - x)**2 + (first_y_min - y)**2)
+home_x = floor(x); home_y = floor(y)
+left = home_x - 2.3; right = home_x + 3.3
+bottom = home_y - 2.3; top = home_y + 3.3
+set lmargin at screen 0.02; set rmargin at screen 0.64
+set bmargin at screen 0.03; set tmargin at screen 0.97
+set xrange [left:right]
+set yrange [bottom:top]
+set key at screen 0.995,0.88 right top Left reverse samplen 1.8 spacing 1.3
+set style fill solid 1 noborder
+set object 1 rectangle from x - side,y - side to x + side,y + side \
+  fs empty border rgb "black" lw 1.4 dt (4,3) front
+set for [k = -2:3] arrow from home_x + k,bottom to home_x + k,top \
+  nohead ls 10 front
+set for [k = -2:3] arrow from left,home_y + k to right,home_y + k \
+  nohead ls 10 front
+plot table using (phase(1, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
+       with boxxyerror fc rgb "#b9cde4" title "phase one", \
+     "" using (phase(2, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
+       with boxxyerror fc rgb "#f0d3c2" title "phase two", \
+     "" using (of("cell", 2) + 0.1):($3 + 0.86):(sprintf("%d", $4 + 1)) \
+       with labels left font ",7" textcolor rgb "#444444" notitle, \
+     "" using (of("point", 2)):3 \
+       with points pt 7 ps 0.4 lc rgb "#555555" title "points", \
+     "" using (of("query", 2)):3 \
+       with points pt 7 ps 1.0 lc rgb "black" title "asks", \
+     "" using (of("first", 2)):3 \
+       with points pt 5 ps 0.9 lc rgb "#c4511a" title "nearest of phase one", \
+     "" using (of("neighbor", 2)):3 \
+       with points pt 9 ps 1.1 lc rgb "#14447c" title "nearest of all", \
+     NaN with lines lc rgb "black" lw 1.4 dt (4,3) title "square of side 2D"
