@@ -1,7 +1,8 @@
 //> Compare spirals with blocks
-// Chapter 4's search through indices and the spiral search, as the
-// table has them, on points of several kinds: the time, and the
-// distances and cells a point.
+// The spiral search beside chapter 4's, through indices like itself,
+// and with the points of a cell together, as the table has them, on
+// points of several kinds: the time, and the distances and cells a
+// point.
 //
 //     compare [POINTS [TRIALS]]
 #include "algorithms.h"
@@ -12,17 +13,20 @@
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
-#include <string.h>
 
-static const char *const searches[] = {"cells-indices", "spiral"};
+static const struct {
+    const char *algorithm, *name;
+} searches[] = {{"cells-indices", "blocks"},
+                {"cells", "together"},
+                {"spiral", "spiral"}};
 static const char *const kinds[] = {"uniform", "clustered", "circle",
                                     "kuzmin", "two-clusters"};
-enum { SEARCHES = 2, KINDS = sizeof kinds / sizeof *kinds };
+enum { SEARCHES = 3, KINDS = sizeof kinds / sizeof *kinds };
 
 // A name that prose can quote: two-clusters is two_clusters.
 static void print_name(const char *search, const char *kind)
 {
-    printf("%s_", strcmp(search, "spiral") ? "blocks" : search);
+    printf("%s_", search);
     for (; *kind; kind++)
         putchar(*kind == '-' ? '_' : *kind);
 }
@@ -35,8 +39,9 @@ static void compare_on(const char *kind, uint32_t n, int trials)
     struct search search[SEARCHES];
     struct trial trial[SEARCHES];
     for (int k = 0; k < SEARCHES; k++) {
-        search[k] = (struct search){find_algorithm(searches[k])->run,
-                                    question, &answers};
+        search[k] =
+            (struct search){find_algorithm(searches[k].algorithm)->run,
+                            question, &answers};
         trial[k] =
             (struct trial){.work = run_search, .context = &search[k]};
     }
@@ -44,8 +49,8 @@ static void compare_on(const char *kind, uint32_t n, int trials)
     question.threads = omp_get_num_procs();
     for (int k = 0; k < SEARCHES; k++) {
         struct counts counts = count_operations(
-            find_algorithm(searches[k]), &question, &answers);
-        print_name(searches[k], kind);
+            find_algorithm(searches[k].algorithm), &question, &answers);
+        print_name(searches[k].name, kind);
         printf("\t%u\t%.6g\t%.6g", n, (double)counts.distances / n,
                (double)counts.cells / n);
         print_summary(&trial[k].summary, n);
