@@ -48,7 +48,6 @@ static void seek_layers(enum rule rule, const struct map *map,
     const struct grid *grid = map->grid;
     uint32_t column = axis_cell(&grid->x, seeker->x);
     uint32_t row = axis_cell(&grid->y, seeker->y);
-    uint32_t home = row * grid->x.count + column;
     struct window all = {view_all(&grid->x, column),
                          view_all(&grid->y, row)};
     int32_t k = 0;
@@ -58,12 +57,10 @@ static void seek_layers(enum rule rule, const struct map *map,
     const int32_t next = k;
     const double best2 = seeker->best2;
     for (;; k++) {
-        struct block block = block_around(grid, home, k - 1);
         double x = seeker->x, y = seeker->y;
-        if (rule == ONE_MORE
-                ? k > next
-                : block_suffices(best2,
-                                 block_margin(grid, &block, x, y)))
+        struct block block = block_of(grid, x, y, k - 1);
+        double margin = block_margin(grid, &block, x, y);
+        if (rule == ONE_MORE ? k > next : best2 < margin * margin)
             break;
         look_at_layer(STANDARD, map, column, row, &all, k, look_at_cell,
                       seeker);

@@ -3,7 +3,8 @@
 // of the search that the table has, with the points asking as they come
 // and in the order of the cells: over several sets of points. And how
 // many points fill the caches, if each asks at random for what the
-// search reads of a point: two coordinates, an index, half a start.
+// search reads of a point: two coordinates, an index, where a cell
+// begins.
 //
 //     sizes [MOST [SETS]]
 #include "ch02-all-pairs/timing.h"
@@ -17,7 +18,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { BYTES_READ = 22, LOTS = 1000000 };
+enum { BYTES_READ = 24, LOTS = 1000000 };
 
 //> Try several sets of points
 struct samples {
@@ -44,7 +45,7 @@ static void try_set(uint32_t n, int set, struct samples *samples)
     samples->one[set] = take_census(&question, 1).distances;
     samples->two[set] = take_census(&question, 2).distances;
     question.threads = 1;
-    struct grid grid = grid_fit(&question, 2);
+    struct grid grid = grid_fit(&question, 1);
     struct cells cells = cells_sort(&grid, question.points);
     samples->coming[set] =
         time_search(&question, &grid, &cells, NULL, &answers);

@@ -414,7 +414,7 @@ static void census_agrees_with_the_table(void)
                 points.x[i] += 3, points.y[i] += 3;
             struct counts counts = count_operations(
                 find_algorithm("spiral"), &question, &answers);
-            struct census census = take_census(&question, 2);
+            struct census census = take_census(&question, 1);
             CHECK_NEAR(counts.distances / 3000.0, census.distances,
                        1e-9, "distances a point, %d threads", threads);
             CHECK_NEAR(counts.cells / 3000.0, census.cells, 1e-9,
