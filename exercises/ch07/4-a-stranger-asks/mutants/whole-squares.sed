@@ -1,0 +1,3 @@
+# Every layer is looked at with all that is inside.
+# expect: Each layer is a ring
+s|r == row - k .. r == row + k ? 1 : 2 \* k|1|
