@@ -63,7 +63,7 @@ static void compare_on(const char *kind, uint32_t n, int trials)
 int main(int argc, char **argv)
 {
     fail_as("compare", NULL);
-    uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     report_provenance(stdout);
     puts("name\tn\tdistances\tcells\tns\tns_q1\tns_q3");

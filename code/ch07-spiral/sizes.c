@@ -84,7 +84,7 @@ int main(int argc, char **argv)
 {
     fail_as("sizes", NULL);
     uint32_t most = argument(argc, argv, 1, "MOST", LOTS, 1000, MANY);
-    int sets = argument(argc, argv, 2, "SETS", 5, 1, 1000);
+    int sets = argument(argc, argv, 2, "SETS", 3, 1, 1000);
     double *room = allocate(4 * (size_t)sets, sizeof *room);
     struct samples samples = {room, room + sets, room + 2 * sets,
                               room + 3 * sets};
