@@ -8,7 +8,7 @@
 #include "common/report.h"
 #include <stdio.h>
 
-// Named by c in tenths: c5, c10.
+// Named by c in tenths: c2, c10.
 int main(void)
 {
     fail_as("expect", NULL);
