@@ -68,15 +68,15 @@ int main(int argc, char **argv)
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers answers = answers_allocate(n);
     struct attempt attempts[SIZES];
+    void (*const searches[SEARCHES])(void *) = {by_lists, one_by_one,
+                                                all_together};
     struct trial versions[SIZES][SEARCHES];
     for (int s = 0; s < SIZES; s++) {
         attempts[s] =
             (struct attempt){&question, &answers, per_cell[s]};
-        versions[s][0].work = by_lists;
-        versions[s][1].work = one_by_one;
-        versions[s][2].work = all_together;
         for (int k = 0; k < SEARCHES; k++)
-            versions[s][k].context = &attempts[s];
+            versions[s][k] = (struct trial){.work = searches[k],
+                                            .context = &attempts[s]};
     }
     time_in_turn(trials, versions[0], SIZES * SEARCHES);
     report_provenance(stdout);

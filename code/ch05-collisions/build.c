@@ -96,6 +96,7 @@ int main(int argc, char **argv)
     for (int k = 0; k < WAYS * STEPS; k++)
         trials[k] =
             (struct trial){.work = works[k / STEPS][k % STEPS],
+                           .prepare = works[k / STEPS][k % STEPS],
                            .context = k / STEPS < 2 ? &one : &all};
     time_in_turn(count, trials, WAYS * STEPS);
     report_provenance(stdout);

@@ -50,6 +50,8 @@ struct summary summarize(double *values, int n)
 //> Time several versions in turn
 static int64_t run_time(const struct trial *version)
 {
+    if (version->prepare)
+        version->prepare(version->context);
     int64_t start = clock_ns();
     version->work(version->context);
     return clock_ns() - start;

@@ -18,7 +18,8 @@ struct summary summarize(double *values, int n);
 struct trial {
     void (*work)(void *context);
     void *context;
-    struct summary summary; // set by time_in_turn
+    void (*prepare)(void *context); // untimed, before each run; or NULL
+    struct summary summary;         // set by time_in_turn
 };
 
 // Runs every version once to warm up, then all of them in turn, trials
