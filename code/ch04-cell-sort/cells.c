@@ -70,15 +70,4 @@ void cells_free(struct cells *cells)
     free(cells->point);
     *cells = (struct cells){0};
 }
-
-struct points points_in_order(struct points points,
-                              const uint32_t *order)
-{
-    struct points sorted = points_allocate(points.n);
-    for (uint32_t s = 0; s < points.n; s++) {
-        sorted.x[s] = points.x[order[s]];
-        sorted.y[s] = points.y[order[s]];
-    }
-    return sorted;
-}
 //<

@@ -20,9 +20,4 @@ void cells_free(struct cells *cells);
 // places where they begin, the first of them at first.
 struct cells cells_allocate(uint32_t m, uint32_t n);
 void cells_scan(uint32_t *count, uint32_t m, uint32_t first);
-
-// The points themselves in this order: a copy, to be released with
-// points_free.
-struct points points_in_order(struct points points,
-                              const uint32_t *order);
 //<

@@ -28,23 +28,18 @@ static void count_set(const struct question *question, double c, int g,
                       struct answers *right, struct answers *found,
                       struct sums *sums)
 {
-    struct grid grid = grid_fit(question, c);
-    struct cells cells = cells_sort(&grid, question->points);
-    struct points sorted =
-        points_in_order(question->points, cells.point);
+    struct sorted sorted = sorted_make(question, c, cells_sort_alone);
     counting_take();
-    counting_search_sorted(question, &grid, &cells, sorted, right);
+    counting_search_sorted(question, &sorted, right);
     struct counts counts = counting_take();
     sums->cells[g] += counts.cells;
     sums->distances[g] += counts.distances;
     if (g == 1) {
-        search_untested(question, &grid, &cells, sorted, found);
+        search_untested(question, &sorted, found);
         for (uint32_t i = 0; i < question->points.n; i++)
             sums->wrong += right->nearest[i] != found->nearest[i];
     }
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    sorted_free(&sorted);
 }
 //<
 

@@ -16,16 +16,11 @@ static void print_search(const struct question *question, double c,
                          struct answers *answers)
 {
     const uint32_t n = question->points.n;
-    struct grid grid = grid_fit(question, c);
-    struct cells cells = cells_sort(&grid, question->points);
-    struct points sorted =
-        points_in_order(question->points, cells.point);
+    struct sorted sorted = sorted_make(question, c, cells_sort_alone);
     counting_take();
-    counting_search_sorted(question, &grid, &cells, sorted, answers);
+    counting_search_sorted(question, &sorted, answers);
     printf("\t%.5g", (double)counting_take().distances / n);
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    sorted_free(&sorted);
 }
 //<
 

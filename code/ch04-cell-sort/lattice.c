@@ -18,24 +18,20 @@ enum { SETS = 2, PER_CELL = 4 };
 
 struct set {
     struct question question;
-    struct grid grid;
-    struct cells cells;
-    struct points sorted;
+    struct sorted sorted;
     struct answers answers;
 };
 
 static void one_by_one(void *context)
 {
     struct set *s = context;
-    search_sorted(&s->question, &s->grid, &s->cells, s->sorted,
-                  &s->answers);
+    search_sorted(&s->question, &s->sorted, &s->answers);
 }
 
 static void all_together(void *context)
 {
     struct set *s = context;
-    search_together(&s->question, &s->grid, &s->cells, s->sorted,
-                    &s->answers);
+    search_together(&s->question, &s->sorted, &s->answers);
 }
 
 static struct set make_set(const char *name, uint32_t n)
@@ -45,17 +41,13 @@ static struct set make_set(const char *name, uint32_t n)
                      {WRAPAROUND, 1, 1},
                      1},
         .answers = answers_allocate(n)};
-    s.grid = grid_fit(&s.question, PER_CELL);
-    s.cells = cells_sort(&s.grid, s.question.points);
-    s.sorted = points_in_order(s.question.points, s.cells.point);
+    s.sorted = sorted_make(&s.question, PER_CELL, cells_sort_alone);
     return s;
 }
 
 static void set_free(struct set *s)
 {
-    points_free(&s->sorted);
-    cells_free(&s->cells);
-    grid_free(&s->grid);
+    sorted_free(&s->sorted);
     answers_free(&s->answers);
     points_free(&s->question.points);
 }
@@ -82,8 +74,7 @@ int main(int argc, char **argv)
          "\ttogether\ttogether_q1\ttogether_q3");
     for (int s = 0; s < SETS; s++) {
         counting_take();
-        counting_search_sorted(&sets[s].question, &sets[s].grid,
-                               &sets[s].cells, sets[s].sorted,
+        counting_search_sorted(&sets[s].question, &sets[s].sorted,
                                &sets[s].answers);
         struct counts counts = counting_take();
         printf("%s\t%u\t%.4g\t%.4g", names[s], n,

@@ -60,18 +60,15 @@ int main(void)
         struct question question =
             uniform_question(STANDARD, POINTS, seed);
         struct points p = question.points;
-        struct grid grid = grid_fit(&question, 1);
-        struct cells cells = cells_sort(&grid, p);
-        struct points sorted = points_in_order(p, cells.point);
-        search_untested(&question, &grid, &cells, sorted, &found);
-        search_sorted(&question, &grid, &cells, sorted, &right);
+        struct sorted sorted =
+            sorted_make(&question, 1, cells_sort_alone);
+        search_untested(&question, &sorted, &found);
+        search_sorted(&question, &sorted, &right);
         i = first_mistaken(&right, &found, POINTS);
         if (i < POINTS)
-            print_picture(&grid, p, i, found.nearest[i],
+            print_picture(&sorted.grid, p, i, found.nearest[i],
                           right.nearest[i]);
-        points_free(&sorted);
-        cells_free(&cells);
-        grid_free(&grid);
+        sorted_free(&sorted);
         points_free(&question.points);
     }
     answers_free(&right);

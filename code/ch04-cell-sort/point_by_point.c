@@ -223,22 +223,23 @@ void search_indices(const struct question *question,
 #define search_sorted counting_search_sorted
 #endif
 void search_sorted(const struct question *question,
-                   const struct grid *grid, const struct cells *cells,
-                   struct points sorted, struct answers *answers)
+                   const struct sorted *sorted, struct answers *answers)
 {
-    struct holder holder = {grid, NULL, cells, sorted};
-    search_either(true, question, &holder, NULL, cells->point,
+    struct holder holder = {&sorted->grid, NULL, &sorted->cells,
+                            sorted->points};
+    search_either(true, question, &holder, NULL, sorted->cells.point,
                   meet_sorted, answers);
 }
 //<
 
 //> Search without the test
 void search_untested(const struct question *question,
-                     const struct grid *grid, const struct cells *cells,
-                     struct points sorted, struct answers *answers)
+                     const struct sorted *sorted,
+                     struct answers *answers)
 {
-    struct holder holder = {grid, NULL, cells, sorted};
-    search_either(false, question, &holder, NULL, cells->point,
+    struct holder holder = {&sorted->grid, NULL, &sorted->cells,
+                            sorted->points};
+    search_either(false, question, &holder, NULL, sorted->cells.point,
                   meet_sorted, answers);
 }
 //<
@@ -269,15 +270,11 @@ void cells_indices(const struct question *question,
 void cells_sorted(const struct question *question,
                   struct answers *answers)
 {
-    struct grid grid = grid_fit(question, per_cell);
-    struct cells cells = cells_sort(&grid, question->points);
-    struct points sorted =
-        points_in_order(question->points, cells.point);
+    struct sorted sorted =
+        sorted_make(question, per_cell, cells_sort_alone);
     answers->built_ns = clock_ns();
-    search_sorted(question, &grid, &cells, sorted, answers);
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    search_sorted(question, &sorted, answers);
+    sorted_free(&sorted);
 }
 //<
 //<

@@ -4,8 +4,8 @@
 // distances a point, c points in a cell; threads share out the points.
 // Three ways to hold the cells, and one search that errs.
 #pragma once
-#include "ch04-cell-sort/cells.h"
 #include "ch04-cell-sort/lists.h"
+#include "ch04-cell-sort/sorted.h"
 
 // The rows of the table: make the structure, search, nearest only.
 search_function cells_lists, cells_indices, cells_sorted;
@@ -19,23 +19,20 @@ void search_indices(const struct question *question,
                     const struct grid *grid, const struct cells *cells,
                     const uint32_t *order, struct answers *answers);
 
-// The points ask in the order of the cells; sorted is what
-// points_in_order gives.
+// The points ask in the order of the cells.
 void search_sorted(const struct question *question,
-                   const struct grid *grid, const struct cells *cells,
-                   struct points sorted, struct answers *answers);
+                   const struct sorted *sorted,
+                   struct answers *answers);
 
 // Its counting twin, for whoever cuts a grid of his own: take the
 // counts with counting_take.
 void counting_search_sorted(const struct question *question,
-                            const struct grid *grid,
-                            const struct cells *cells,
-                            struct points sorted,
+                            const struct sorted *sorted,
                             struct answers *answers);
 
 // Looks at the nine cells and no further: wrong now and then. Who finds
 // nobody is given NOBODY, at INFINITY.
 void search_untested(const struct question *question,
-                     const struct grid *grid, const struct cells *cells,
-                     struct points sorted, struct answers *answers);
+                     const struct sorted *sorted,
+                     struct answers *answers);
 //<

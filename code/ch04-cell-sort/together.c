@@ -49,25 +49,25 @@ INLINED void sweep(const enum geometry geometry, struct space space,
 
 //> Sweep a block
 INLINED void sweep_block(const enum geometry geometry,
-                         const struct question *question,
-                         const struct grid *grid,
-                         const struct cells *cells,
-                         struct points sorted,
+                         struct space space,
+                         const struct sorted *sorted,
                          const struct block *block,
                          struct asking *asking)
 {
-    const uint32_t columns = grid->x.count, rows = grid->y.count;
+    const uint32_t columns = sorted->grid.x.count;
+    const uint32_t rows = sorted->grid.y.count;
+    const uint32_t *point = sorted->cells.point;
     const uint32_t end = block->x.first + block->x.count;
     for (uint32_t k = 0; k < block->y.count; k++) {
         uint32_t row = block->y.first + k;
         row -= row < rows ? 0 : rows;
-        const uint32_t *start = cells->start + row * columns;
-        sweep(geometry, question->space, sorted, cells->point,
+        const uint32_t *start = sorted->cells.start + row * columns;
+        sweep(geometry, space, sorted->points, point,
               start[block->x.first],
               start[end < columns ? end : columns], asking);
         if (end > columns)
-            sweep(geometry, question->space, sorted, cells->point,
-                  start[0], start[end - columns], asking);
+            sweep(geometry, space, sorted->points, point, start[0],
+                  start[end - columns], asking);
     }
     COUNT(cells, (uint64_t)block->x.count * block->y.count);
 }
@@ -111,29 +111,29 @@ INLINED double lacking(const struct grid *grid,
 //<
 
 //> Ask until the block suffices all
-INLINED void ask(const enum geometry geometry,
-                 const struct question *question,
-                 const struct grid *grid, const struct cells *cells,
-                 struct points sorted, uint32_t row, uint32_t begin,
-                 int width, struct answers *answers)
+INLINED void ask(const enum geometry geometry, struct space space,
+                 const struct sorted *sorted, uint32_t row,
+                 uint32_t begin, int width, struct answers *answers)
 {
-    uint32_t from = axis_cell(&grid->x, sorted.x[begin]);
-    uint32_t to = axis_cell(&grid->x, sorted.x[begin + width - 1]);
+    const struct grid *grid = &sorted->grid;
+    const struct points p = sorted->points;
+    const uint32_t *point = sorted->cells.point;
+    uint32_t from = axis_cell(&grid->x, p.x[begin]);
+    uint32_t to = axis_cell(&grid->x, p.x[begin + width - 1]);
     struct asking asking;
-    if (sorted.n - begin >= ASKING) // no need to look where it ends
-        seat(&asking, sorted, cells->point, begin, UINT32_MAX, width);
+    if (p.n - begin >= ASKING) // no need to look where it ends
+        seat(&asking, p, point, begin, UINT32_MAX, width);
     else
-        seat(&asking, sorted, cells->point, begin, sorted.n - 1, width);
+        seat(&asking, p, point, begin, p.n - 1, width);
     for (uint32_t radius = 1;; radius *= 2) {
         struct block block = block_around(grid, row, from, to, radius);
-        sweep_block(geometry, question, grid, cells, sorted, &block,
-                    &asking);
+        sweep_block(geometry, space, sorted, &block, &asking);
         if (lacking(grid, &block, &asking) == 0 ||
             block_covers(grid, &block))
             break;
     }
     for (int lane = 0; lane < width; lane++) {
-        uint32_t i = cells->point[begin + lane];
+        uint32_t i = point[begin + lane];
         answers->nearest[i] = asking.nearest[lane];
         answers->nearest2[i] = asking.best2[lane];
     }
@@ -144,48 +144,50 @@ INLINED void ask(const enum geometry geometry,
 // A stripe is a part of a row, so that even one row can be shared out.
 INLINED void search(const enum geometry geometry,
                     const struct question *question,
-                    const struct grid *grid, const struct cells *cells,
-                    struct points sorted, struct answers *answers)
+                    const struct sorted *sorted,
+                    struct answers *answers)
 {
-    const uint32_t columns = grid->x.count, rows = grid->y.count;
+    const uint32_t columns = sorted->grid.x.count;
+    const uint32_t rows = sorted->grid.y.count;
 #pragma omp parallel for num_threads(question->threads) \
     schedule(dynamic, STRIPES_PER_TURN) collapse(2)
     for (uint32_t row = 0; row < rows; row++)
         for (uint32_t column = 0; column < columns; column += STRIPE) {
-            const uint32_t *start = cells->start + row * columns;
+            const uint32_t *start = sorted->cells.start + row * columns;
             uint32_t beyond = column + STRIPE;
             uint32_t end = start[beyond < columns ? beyond : columns];
             for (uint32_t s = start[column]; s < end; s += ASKING)
-                ask(geometry, question, grid, cells, sorted, row, s,
+                ask(geometry, question->space, sorted, row, s,
                     end - s < ASKING ? (int)(end - s) : ASKING,
                     answers);
         }
 }
 
 void search_together(const struct question *question,
-                     const struct grid *grid, const struct cells *cells,
-                     struct points sorted, struct answers *answers)
+                     const struct sorted *sorted,
+                     struct answers *answers)
 {
     if (question->space.geometry == STANDARD)
-        search(STANDARD, question, grid, cells, sorted, answers);
+        search(STANDARD, question, sorted, answers);
     else
-        search(WRAPAROUND, question, grid, cells, sorted, answers);
+        search(WRAPAROUND, question, sorted, answers);
 }
 //<
 
 //> Sort and search
+void sort_and_search(const struct question *question, cell_sort *sort,
+                     struct answers *answers)
+{
+    struct sorted sorted = sorted_make(question, POINTS_PER_CELL, sort);
+    answers->built_ns = clock_ns();
+    search_together(question, &sorted, answers);
+    sorted_free(&sorted);
+}
+
 void cells_together(const struct question *question,
                     struct answers *answers)
 {
-    struct grid grid = grid_fit(question, POINTS_PER_CELL);
-    struct cells cells = cells_sort(&grid, question->points);
-    struct points sorted =
-        points_in_order(question->points, cells.point);
-    answers->built_ns = clock_ns();
-    search_together(question, &grid, &cells, sorted, answers);
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    sort_and_search(question, cells_sort_alone, answers);
 }
 //<
 //<

@@ -7,18 +7,21 @@
 // as one. About 9 c + 9 distances a point, c points in a cell; threads
 // share out the rows.
 #pragma once
-#include "ch04-cell-sort/cells.h"
+#include "ch04-cell-sort/sorted.h"
 
 // On average, where this search is fastest.
 enum { POINTS_PER_CELL = 2 };
 
-// Nearest only; sorted are the question's points in the order of the
-// cells, as points_in_order gives them.
+// Nearest only; sorted holds the question's points.
 void search_together(const struct question *question,
-                     const struct grid *grid, const struct cells *cells,
-                     struct points sorted, struct answers *answers);
+                     const struct sorted *sorted,
+                     struct answers *answers);
 
-// Sorts the points into cells, and searches.
+// Sorts the points in this way, and searches.
+void sort_and_search(const struct question *question, cell_sort *sort,
+                     struct answers *answers);
+
+// Sorts them on one thread.
 void cells_together(const struct question *question,
                     struct answers *answers);
 //<

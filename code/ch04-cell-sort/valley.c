@@ -35,18 +35,13 @@ static void by_lists(void *context)
 //> Sort and search with so many points in a cell
 static void by_sorting(const struct attempt *a,
                        void (*search)(const struct question *,
-                                      const struct grid *,
-                                      const struct cells *,
-                                      struct points, struct answers *))
+                                      const struct sorted *,
+                                      struct answers *))
 {
-    struct points points = a->question->points;
-    struct grid grid = grid_fit(a->question, a->c);
-    struct cells cells = cells_sort(&grid, points);
-    struct points sorted = points_in_order(points, cells.point);
-    search(a->question, &grid, &cells, sorted, a->answers);
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    struct sorted sorted =
+        sorted_make(a->question, a->c, cells_sort_alone);
+    search(a->question, &sorted, a->answers);
+    sorted_free(&sorted);
 }
 //<
 

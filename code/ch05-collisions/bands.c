@@ -4,7 +4,6 @@
 #include "ch04-cell-sort/together.h"
 #include "ch05-collisions/home.h"
 #include "ch05-collisions/shared.h"
-#include "common/clock.h"
 #include "common/fail.h"
 #include <stdlib.h>
 #include <string.h>
@@ -94,34 +93,9 @@ struct cells cells_sort_threads(const struct grid *grid,
 }
 //<
 
-//> Copy the points with all threads
-struct points points_in_order_threads(struct points points,
-                                      const uint32_t *order,
-                                      int threads)
-{
-    struct points sorted = points_allocate(points.n);
-#pragma omp parallel for num_threads(threads)
-    for (uint32_t s = 0; s < points.n; s++) {
-        sorted.x[s] = points.x[order[s]];
-        sorted.y[s] = points.y[order[s]];
-    }
-    return sorted;
-}
-//<
-
 void cells_threads(const struct question *question,
                    struct answers *answers)
 {
-    const struct points points = question->points;
-    const int threads = question->threads;
-    struct grid grid = grid_fit(question, POINTS_PER_CELL);
-    struct cells cells = cells_sort_threads(&grid, points, threads);
-    struct points sorted =
-        points_in_order_threads(points, cells.point, threads);
-    answers->built_ns = clock_ns();
-    search_together(question, &grid, &cells, sorted, answers);
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    sort_and_search(question, cells_sort_threads, answers);
 }
 //<

@@ -12,11 +12,6 @@
 struct cells cells_sort_threads(const struct grid *grid,
                                 struct points points, int threads);
 
-// The same as points_in_order.
-struct points points_in_order_threads(struct points points,
-                                      const uint32_t *order,
-                                      int threads);
-
 // All nearest neighbors, every step by all threads.
 void cells_threads(const struct question *question,
                    struct answers *answers);

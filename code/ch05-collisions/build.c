@@ -2,7 +2,7 @@
 //     build [POINTS [TRIALS]]
 // Fits the grid, sorts the points into it, copies them in this order
 // and searches: as chapter 4 does on one thread, and with the sort by
-// bands and the copying by threads, on one and on all processors.
+// bands, on one and on all processors.
 #include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/together.h"
 #include "ch05-collisions/bands.h"
@@ -14,9 +14,7 @@
 //> Take the steps one at a time
 struct steps {
     struct question question;
-    struct grid grid; // what the other steps have found
-    struct cells cells;
-    struct points sorted;
+    struct sorted sorted; // what the other steps have found
     struct answers *answers;
 };
 
@@ -30,7 +28,8 @@ static void fit(void *context)
 static void sort(void *context)
 {
     struct steps *s = context;
-    struct cells cells = cells_sort(&s->grid, s->question.points);
+    struct cells cells =
+        cells_sort(&s->sorted.grid, s->question.points);
     cells_free(&cells);
 }
 
@@ -38,31 +37,22 @@ static void sort_with_threads(void *context)
 {
     struct steps *s = context;
     struct cells cells = cells_sort_threads(
-        &s->grid, s->question.points, s->question.threads);
+        &s->sorted.grid, s->question.points, s->question.threads);
     cells_free(&cells);
 }
 
 static void put_in_order(void *context)
 {
     struct steps *s = context;
-    struct points sorted =
-        points_in_order(s->question.points, s->cells.point);
-    points_free(&sorted);
-}
-
-static void put_in_order_with_threads(void *context)
-{
-    struct steps *s = context;
-    struct points sorted = points_in_order_threads(
-        s->question.points, s->cells.point, s->question.threads);
+    struct points sorted = points_in_order(
+        s->question.points, s->sorted.cells.point, s->question.threads);
     points_free(&sorted);
 }
 
 static void search(void *context)
 {
     struct steps *s = context;
-    search_together(&s->question, &s->grid, &s->cells, s->sorted,
-                    s->answers);
+    search_together(&s->question, &s->sorted, s->answers);
 }
 //<
 
@@ -73,8 +63,8 @@ static const char *const step_names[STEPS] = {"fit", "sort", "order",
                                               "search"};
 static void (*const works[WAYS][STEPS])(void *) = {
     {fit, sort, put_in_order, search}, // chapter 4
-    {fit, sort_with_threads, put_in_order_with_threads, search},
-    {fit, sort_with_threads, put_in_order_with_threads, search},
+    {fit, sort_with_threads, put_in_order, search},
+    {fit, sort_with_threads, put_in_order, search},
 };
 //<
 
@@ -86,9 +76,8 @@ int main(int argc, char **argv)
     int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct steps one = {.question = uniform_question(STANDARD, n, 1)};
     struct answers answers = answers_allocate(n);
-    one.grid = grid_fit(&one.question, POINTS_PER_CELL);
-    one.cells = cells_sort(&one.grid, one.question.points);
-    one.sorted = points_in_order(one.question.points, one.cells.point);
+    one.sorted =
+        sorted_make(&one.question, POINTS_PER_CELL, cells_sort_alone);
     one.answers = &answers;
     struct steps all = one;
     all.question.threads = omp_get_num_procs();
@@ -109,9 +98,7 @@ int main(int argc, char **argv)
         puts("");
     }
     answers_free(&answers);
-    points_free(&one.sorted);
-    cells_free(&one.cells);
-    grid_free(&one.grid);
+    sorted_free(&one.sorted);
     points_free(&one.question.points);
     return 0;
 }

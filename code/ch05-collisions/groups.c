@@ -5,7 +5,6 @@
 #include "ch05-collisions/groups.h"
 #include "ch04-cell-sort/together.h"
 #include "ch05-collisions/home.h"
-#include "common/clock.h"
 #include "common/count.h"
 #include "common/fail.h"
 #include <assert.h>
@@ -138,18 +137,16 @@ struct cells cells_sort_groups(const struct grid *grid,
 }
 //<
 
+static struct cells sort_as_a_cray(const struct grid *grid,
+                                   struct points points, int threads)
+{
+    (void)threads;
+    return cells_sort_groups(grid, points, CRAY_LANES);
+}
+
 void cells_groups(const struct question *question,
                   struct answers *answers)
 {
-    struct grid grid = grid_fit(question, POINTS_PER_CELL);
-    struct cells cells =
-        cells_sort_groups(&grid, question->points, CRAY_LANES);
-    struct points sorted =
-        points_in_order(question->points, cells.point);
-    answers->built_ns = clock_ns();
-    search_together(question, &grid, &cells, sorted, answers);
-    points_free(&sorted);
-    cells_free(&cells);
-    grid_free(&grid);
+    sort_and_search(question, sort_as_a_cray, answers);
 }
 //<

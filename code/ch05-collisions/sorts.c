@@ -5,6 +5,7 @@
 // The kind "memory" shows what the machine needs for as much memory as
 // the sort by bands writes: to get it, and to copy it.
 #include "ch02-all-pairs/timing.h"
+#include "ch04-cell-sort/sorted.h"
 #include "ch05-collisions/bands.h"
 #include "ch05-collisions/shared.h"
 #include "common/argument.h"
@@ -18,21 +19,11 @@
 #include <sys/mman.h>
 
 //> Name the sorts
-typedef struct cells sort_function(const struct grid *grid,
-                                   struct points points, int threads);
-
-static struct cells serial(const struct grid *grid,
-                           struct points points, int threads)
-{
-    (void)threads;
-    return cells_sort(grid, points);
-}
-
 static const struct {
     const char *name;
-    sort_function *sort;
+    cell_sort *sort;
 } sorts[] = {
-    {"serial", serial},
+    {"serial", cells_sort_alone},
     {"atomic", cells_sort_atomic},
     {"private", cells_sort_private},
     {"bands", cells_sort_threads},
@@ -42,7 +33,7 @@ enum { SORTS = sizeof sorts / sizeof *sorts };
 
 //> Time a sort
 struct sorting {
-    sort_function *sort;
+    cell_sort *sort;
     const struct grid *grid;
     struct points points;
     int threads;

@@ -116,6 +116,19 @@ static void cells_never_outnumber_points(void)
 }
 
 // ---- the sort ------------------------------------------------------
+static void check_order(struct points points, const uint32_t *order,
+                        int threads, const char *what)
+{
+    struct points sorted = points_in_order(points, order, threads);
+    for (uint32_t s = 0; s < points.n; s++) {
+        CHECK_DOUBLE(points.x[order[s]], sorted.x[s], "%s: x of %u",
+                     what, s);
+        CHECK_DOUBLE(points.y[order[s]], sorted.y[s], "%s: y of %u",
+                     what, s);
+    }
+    points_free(&sorted);
+}
+
 // Every point is once in the list of its own cell, in ascending order;
 // and the lists hold the same, in descending order.
 static void check_sort(struct points points, double c, const char *what)
@@ -145,14 +158,8 @@ static void check_sort(struct points points, double c, const char *what)
         }
         CHECK_INT(NOBODY, j, "%s: the end of list %u", what, cell);
     }
-    struct points sorted = points_in_order(points, cells.point);
-    for (uint32_t s = 0; s < points.n; s++) {
-        CHECK_DOUBLE(points.x[cells.point[s]], sorted.x[s],
-                     "%s: x of %u", what, s);
-        CHECK_DOUBLE(points.y[cells.point[s]], sorted.y[s],
-                     "%s: y of %u", what, s);
-    }
-    points_free(&sorted);
+    for (int threads = 1; threads <= 4; threads *= 2)
+        check_order(points, cells.point, threads, what);
     lists_free(&lists);
     cells_free(&cells);
     grid_free(&grid);
@@ -279,27 +286,6 @@ static void margins_hold(void)
 }
 
 // ---- the search ----------------------------------------------------
-struct sorted {
-    struct grid grid;
-    struct cells cells;
-    struct points points;
-};
-
-static struct sorted sort(const struct question *question, double c)
-{
-    struct sorted s = {.grid = grid_fit(question, c)};
-    s.cells = cells_sort(&s.grid, question->points);
-    s.points = points_in_order(question->points, s.cells.point);
-    return s;
-}
-
-static void sorted_free(struct sorted *s)
-{
-    points_free(&s->points);
-    cells_free(&s->cells);
-    grid_free(&s->grid);
-}
-
 static uint32_t wrong(const struct answers *right,
                       const struct answers *found, uint32_t n)
 {
@@ -320,11 +306,11 @@ static void nine_cells_are_not_enough(void)
                     4,   4,   0,   0, 4, 4, 0, 0};
     struct question question = {{16, x, y}, {STANDARD, 0, 0}, 1};
     struct answers answers = answers_allocate(16);
-    struct sorted s = sort(&question, 1);
+    struct sorted s = sorted_make(&question, 1, cells_sort_alone);
     CHECK_INT(16, grid_cells(&s.grid), "cells");
-    search_untested(&question, &s.grid, &s.cells, s.points, &answers);
+    search_untested(&question, &s, &answers);
     CHECK_INT(2, answers.nearest[0], "without the test, the wrong one");
-    search_sorted(&question, &s.grid, &s.cells, s.points, &answers);
+    search_sorted(&question, &s, &answers);
     CHECK_INT(1, answers.nearest[0], "with it, the right one");
     sorted_free(&s);
     answers_free(&answers);
@@ -344,13 +330,12 @@ static void the_test_makes_it_right(void)
         struct answers found = answers_allocate(3000);
         search_plainly(&question, &right);
         for (int k = 0; k < 3; k++) {
-            struct sorted s = sort(&question, per_cell[k]);
-            search_untested(&question, &s.grid, &s.cells, s.points,
-                            &found);
+            struct sorted s =
+                sorted_make(&question, per_cell[k], cells_sort_alone);
+            search_untested(&question, &s, &found);
             CHECK(wrong(&right, &found, 3000) > 0,
                   "wrong without the test, c = %g", per_cell[k]);
-            search_sorted(&question, &s.grid, &s.cells, s.points,
-                          &found);
+            search_sorted(&question, &s, &found);
             CHECK_INT(0, wrong(&right, &found, 3000),
                       "wrong with the test, c = %g", per_cell[k]);
             sorted_free(&s);
@@ -375,7 +360,8 @@ static void every_search_agrees(void)
             search_plainly(&question, &right);
             for (int k = 0; k < 5; k++) {
                 question.threads = 1 + k % 3;
-                struct sorted s = sort(&question, per_cell[k]);
+                struct sorted s = sorted_make(&question, per_cell[k],
+                                              cells_sort_alone);
                 struct lists lists =
                     lists_make(&s.grid, question.points);
                 for (int way = 0; way < 6; way++) {
@@ -388,11 +374,9 @@ static void every_search_agrees(void)
                         search_indices(&question, &s.grid, &s.cells,
                                        order, &found);
                     else if (way == 4)
-                        search_sorted(&question, &s.grid, &s.cells,
-                                      s.points, &found);
+                        search_sorted(&question, &s, &found);
                     else
-                        search_together(&question, &s.grid, &s.cells,
-                                        s.points, &found);
+                        search_together(&question, &s, &found);
                     CHECK_INT(0, wrong(&right, &found, n),
                               "wrong: %s, c = %g, way %d, geometry %d",
                               distributions[d].name, per_cell[k], way,
@@ -411,10 +395,9 @@ static void every_search_agrees(void)
 static struct counts count(const struct question *question, double c,
                            struct answers *answers)
 {
-    struct sorted s = sort(question, c);
+    struct sorted s = sorted_make(question, c, cells_sort_alone);
     counting_take();
-    counting_search_sorted(question, &s.grid, &s.cells, s.points,
-                           answers);
+    counting_search_sorted(question, &s, answers);
     sorted_free(&s);
     return counting_take();
 }
@@ -488,11 +471,10 @@ static void errors_are_as_predicted(void)
                 generate(find_distribution("uniform"), n, seed),
                 {WRAPAROUND, 1, 1},
                 2};
-            struct sorted s = sort(&question, c);
-            search_sorted(&question, &s.grid, &s.cells, s.points,
-                          &right);
-            search_untested(&question, &s.grid, &s.cells, s.points,
-                            &found);
+            struct sorted s =
+                sorted_make(&question, c, cells_sort_alone);
+            search_sorted(&question, &s, &right);
+            search_untested(&question, &s, &found);
             errors += wrong(&right, &found, n);
             sorted_free(&s);
             points_free(&question.points);

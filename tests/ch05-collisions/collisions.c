@@ -136,29 +136,6 @@ static void same_cells_of_many_points(void)
     points_free(&points);
 }
 
-static void same_order_of_points(void)
-{
-    struct points points =
-        generate(find_distribution("kuzmin"), 1000, 1);
-    struct question question = {points, {STANDARD, 1, 1}, 1};
-    struct grid grid = grid_fit(&question, 2);
-    struct cells cells = cells_sort(&grid, points);
-    struct points right = points_in_order(points, cells.point);
-    for (int threads = 1; threads <= 64; threads *= 4) {
-        struct points found =
-            points_in_order_threads(points, cells.point, threads);
-        for (uint32_t s = 0; s < points.n; s++) {
-            CHECK_DOUBLE(right.x[s], found.x[s], "x[%u]", s);
-            CHECK_DOUBLE(right.y[s], found.y[s], "y[%u]", s);
-        }
-        points_free(&found);
-    }
-    points_free(&right);
-    cells_free(&cells);
-    grid_free(&grid);
-    points_free(&points);
-}
-
 static void same_grid_for_all_threads(void)
 {
     for (int d = 0; d < distribution_count; d++) {
@@ -309,7 +286,7 @@ int main(void)
 {
     return RUN_TESTS(
         "ch05-collisions", TEST(same_cells_of_every_length),
-        TEST(same_cells_of_many_points), TEST(same_order_of_points),
+        TEST(same_cells_of_many_points),
         TEST(same_grid_for_all_threads), TEST(counts_by_groups),
         TEST(collisions_of_equal_points), TEST(collisions_as_predicted),
         TEST(collisions_are_counted), TEST(conflict_detection));

@@ -1,0 +1,46 @@
+//> Keep the points sorted by cell
+// See sorted.h.
+#include "ch04-cell-sort/sorted.h"
+
+//> Copy the points in order
+struct points points_in_order(struct points points,
+                              const uint32_t *order, int threads)
+{
+    struct points sorted = points_allocate(points.n);
+#pragma omp parallel for num_threads(threads)
+    for (uint32_t s = 0; s < points.n; s++) {
+        sorted.x[s] = points.x[order[s]];
+        sorted.y[s] = points.y[order[s]];
+    }
+    return sorted;
+}
+//<
+
+struct cells cells_sort_alone(const struct grid *grid,
+                              struct points points, int threads)
+{
+    (void)threads;
+    return cells_sort(grid, points);
+}
+
+//> Fit, sort and copy
+struct sorted sorted_make(const struct question *question, double c,
+                          cell_sort *sort)
+{
+    const struct points points = question->points;
+    const int threads = question->threads;
+    struct sorted sorted = {.grid = grid_fit(question, c)};
+    sorted.cells = sort(&sorted.grid, points, threads);
+    sorted.points =
+        points_in_order(points, sorted.cells.point, threads);
+    return sorted;
+}
+//<
+
+void sorted_free(struct sorted *sorted)
+{
+    points_free(&sorted->points);
+    cells_free(&sorted->cells);
+    grid_free(&sorted->grid);
+}
+//<

@@ -1,0 +1,31 @@
+//> Declare the sorted points
+// The points of a question sorted by cell: the grid, who is in which of
+// its cells, and the points themselves in this order. With it a search
+// has all that it needs.
+#pragma once
+#include "ch04-cell-sort/cells.h"
+
+struct sorted {
+    struct grid grid;
+    struct cells cells;
+    struct points points; // in the order of the cells
+};
+
+// A way to sort points into the cells of a grid, with so many threads.
+typedef struct cells cell_sort(const struct grid *grid,
+                               struct points points, int threads);
+
+// cells_sort, which is done by one thread.
+cell_sort cells_sort_alone;
+
+// Fits a grid with c points in a cell on average, c > 0, sorts in this
+// way and copies the points. Released with sorted_free.
+struct sorted sorted_make(const struct question *question, double c,
+                          cell_sort *sort);
+void sorted_free(struct sorted *sorted);
+
+// The points in this order: a copy, made by so many threads, to be
+// released with points_free.
+struct points points_in_order(struct points points,
+                              const uint32_t *order, int threads);
+//<
