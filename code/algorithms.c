@@ -13,6 +13,7 @@
 #include "ch05-collisions/bands.h"
 #include "ch05-collisions/groups.h"
 #include "ch07-spiral/spiral.h"
+#include "ch08-vector-spiral/vector_spiral.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,6 +47,8 @@ const struct algorithm TABLE[] = {
      "points sorted by cell", cells_sorted},
     {"spiral", 7, STANDARD | WRAPAROUND, NEAREST, "n",
      "out in layers of cells", spiral},
+    {"vector-spiral", 8, STANDARD | WRAPAROUND, NEAREST, "n",
+     "spirals march in step", vector_spiral},
     {"cells-groups", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted 64 at a time", cells_groups},
     {"cells", 4, STANDARD | WRAPAROUND, NEAREST, "n",

@@ -1,0 +1,259 @@
+//> Fuse the loops in AVX2
+// See fused.h. Eight tasks or visits at a time; doubles in two halves.
+// Routes are loads and stores for each lane, as in chapter 6.
+#include "ch08-vector-spiral/fused.h"
+#ifdef HAVE_X86_VECTORS
+#include <immintrin.h>
+#include <stdlib.h>
+
+//> Load and store eight numbers
+USE_AVX2
+static inline __m256i eight(const void *from)
+{
+    return _mm256_loadu_si256((const __m256i *)from);
+}
+
+USE_AVX2
+static inline void put(void *to, __m256i x)
+{
+    _mm256_storeu_si256((__m256i *)to, x);
+}
+//<
+
+//> Pack visits in registers
+// Those lanes of a vector of visits whose bit is set, behind the k that
+// are already kept. Returns how many there are then.
+USE_AVX2
+static inline uint32_t keep(const struct visits *here, uint32_t k,
+                            unsigned lanes, __m256i task, __m256i at,
+                            __m256i end)
+{
+    uint64_t bytes = _pdep_u64(lanes, 0x0101010101010101) * 0xff;
+    uint64_t kept = _pext_u64(0x0706050403020100, bytes);
+    __m256i order =
+        _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)kept));
+    put(here->task + k, _mm256_permutevar8x32_epi32(task, order));
+    put(here->at + k, _mm256_permutevar8x32_epi32(at, order));
+    put(here->end + k, _mm256_permutevar8x32_epi32(end, order));
+    return k + (uint32_t)__builtin_popcount(lanes);
+}
+
+USE_AVX2
+static inline unsigned bits(__m256i lanes)
+{
+    return (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(lanes));
+}
+//<
+
+//> Load the bounds of eight cells
+// A cell begins where its number says, and ends where the next begins:
+// two numbers in one load.
+USE_AVX2
+static inline __m256i four_bounds(const uint32_t *start,
+                                  const uint32_t *cell)
+{
+    __m128i a = _mm_loadl_epi64((const __m128i *)(start + cell[0]));
+    __m128i b = _mm_loadl_epi64((const __m128i *)(start + cell[1]));
+    __m128i c = _mm_loadl_epi64((const __m128i *)(start + cell[4]));
+    __m128i d = _mm_loadl_epi64((const __m128i *)(start + cell[5]));
+    return _mm256_inserti128_si256(
+        _mm256_castsi128_si256(_mm_unpacklo_epi64(a, b)),
+        _mm_unpacklo_epi64(c, d), 1);
+}
+
+USE_AVX2
+static inline void bounds(const uint32_t *start, __m256i cells,
+                          __m256i *begin, __m256i *end)
+{
+    uint32_t cell[8];
+    put(cell, cells);
+    __m256 low = _mm256_castsi256_ps(four_bounds(start, cell));
+    __m256 high = _mm256_castsi256_ps(four_bounds(start, cell + 2));
+    *begin = _mm256_castps_si256(_mm256_shuffle_ps(low, high, 0x88));
+    *end = _mm256_castps_si256(_mm256_shuffle_ps(low, high, 0xdd));
+}
+//<
+
+//> Take eight tasks to their cells
+USE_AVX2
+INLINED __m256i steps(const enum geometry geometry,
+                      const struct axis *axis, __m256i home, int32_t by)
+{
+    const __m256i m = _mm256_set1_epi32((int32_t)axis->count);
+    __m256i to = _mm256_add_epi32(home, _mm256_set1_epi32(by));
+    if (geometry == STANDARD)
+        return to;
+    __m256i below = _mm256_srai_epi32(to, 31);
+    __m256i above = _mm256_cmpgt_epi32(m, to);
+    to = _mm256_add_epi32(to, _mm256_and_si256(below, m));
+    return _mm256_sub_epi32(to, _mm256_andnot_si256(above, m));
+}
+
+USE_AVX2
+INLINED void enter_in(const enum geometry geometry,
+                      const struct map *map, struct strip *strip,
+                      const struct tasks *tasks, int32_t dx, int32_t dy)
+{
+    const struct axis *x = &map->grid->x, *y = &map->grid->y;
+    const __m256i columns = _mm256_set1_epi32((int32_t)x->count);
+    const __m256i across = _mm256_set1_epi32(abs(dx) - 1);
+    const __m256i along = _mm256_set1_epi32(abs(dy) - 1);
+    const int32_t *aside = tasks->reach[dx < 0 ? WEST : EAST];
+    const int32_t *ahead = tasks->reach[dy < 0 ? SOUTH : NORTH];
+    uint32_t whole = tasks->n / 8 * 8, k = 0;
+    uint64_t looked = 0;
+    for (uint32_t i = 0; i < whole; i += 8) {
+        __m256i seen = _mm256_and_si256(
+            _mm256_cmpgt_epi32(eight(aside + i), across),
+            _mm256_cmpgt_epi32(eight(ahead + i), along));
+        if (bits(seen) == 0)
+            continue;
+        __m256i row = steps(geometry, y, eight(tasks->row + i), dy);
+        __m256i cell = _mm256_add_epi32(
+            _mm256_mullo_epi32(row, columns),
+            steps(geometry, x, eight(tasks->column + i), dx));
+        __m256i begin, end;
+        bounds(map->cells->start, _mm256_and_si256(seen, cell), &begin,
+               &end);
+        __m256i empty = _mm256_cmpeq_epi32(begin, end);
+        looked += (unsigned)__builtin_popcount(bits(seen));
+        k = keep(&strip->here, k,
+                 bits(_mm256_andnot_si256(empty, seen)),
+                 eight(tasks->task + i), begin, end);
+    }
+    strip->tally.looked += looked;
+    strip->here.n = enter_rest(map, strip, tasks, dx, dy, whole, k);
+}
+//<
+
+//> Measure four distances
+USE_AVX2
+INLINED __m256d nearest_way(__m256d d, double period)
+{
+    const __m256d sign = _mm256_set1_pd(-0.0);
+    return _mm256_sub_pd(_mm256_set1_pd(period),
+                         _mm256_andnot_pd(sign, d));
+}
+
+USE_AVX2
+INLINED __m256d four_distances2(const enum geometry geometry,
+                                struct space space, __m256d dx,
+                                __m256d dy)
+{
+    __m256d xx = _mm256_mul_pd(dx, dx), yy = _mm256_mul_pd(dy, dy);
+    if (geometry == WRAPAROUND) {
+        __m256d ax = nearest_way(dx, space.width);
+        __m256d ay = nearest_way(dy, space.height);
+        xx = _mm256_min_pd(xx, _mm256_mul_pd(ax, ax));
+        yy = _mm256_min_pd(yy, _mm256_mul_pd(ay, ay));
+    }
+    return _mm256_add_pd(xx, yy);
+}
+//<
+
+//> Gather and scatter four doubles
+USE_AVX2
+static inline __m256d four(const double *from, const uint32_t *index)
+{
+    return _mm256_set_pd(from[index[3]], from[index[2]], from[index[1]],
+                         from[index[0]]);
+}
+
+USE_AVX2
+static inline void put_four(double *to, const uint32_t *index,
+                            __m256d x)
+{
+    __m128d low = _mm256_castpd256_pd128(x);
+    __m128d high = _mm256_extractf128_pd(x, 1);
+    _mm_storel_pd(to + index[0], low);
+    _mm_storeh_pd(to + index[1], low);
+    _mm_storel_pd(to + index[2], high);
+    _mm_storeh_pd(to + index[3], high);
+}
+//<
+
+//> Let four visits look
+USE_AVX2
+INLINED void look_four(const enum geometry geometry,
+                       const struct map *map, struct strip *strip,
+                       const uint32_t *task, const uint32_t *at)
+{
+    const struct points p = map->points;
+    const uint32_t *point = map->cells->point;
+    uint32_t j[4] = {point[at[0]], point[at[1]], point[at[2]],
+                     point[at[3]]};
+    __m256d d2 = four_distances2(
+        geometry, map->space,
+        _mm256_sub_pd(four(p.x, j), four(strip->x, task)),
+        _mm256_sub_pd(four(p.y, j), four(strip->y, task)));
+    //> Turn a task's own point into no number
+    __m128i own = _mm_add_epi32(_mm_loadu_si128((const __m128i *)task),
+                                _mm_set1_epi32((int)strip->first));
+    __m128i self =
+        _mm_cmpeq_epi32(own, _mm_loadu_si128((const __m128i *)at));
+    d2 = _mm256_or_pd(d2,
+                      _mm256_castsi256_pd(_mm256_cvtepi32_epi64(self)));
+    //<
+    //> Keep what is nearer in four lanes
+    __m256d best2 = four(strip->best2, task);
+    uint32_t *nearest = strip->nearest;
+    __m256d nearer = _mm256_cmp_pd(d2, best2, _CMP_LT_OQ);
+    __m256d tie = _mm256_cmp_pd(d2, best2, _CMP_EQ_OQ);
+    int better = _mm256_movemask_pd(nearer);
+    int ties = _mm256_movemask_pd(tie);
+    put_four(strip->best2, task, _mm256_blendv_pd(best2, d2, nearer));
+    for (int lane = 0; lane < 4; lane++) {
+        uint32_t t = task[lane];
+        bool take = (better >> lane & 1) |
+                    ((ties >> lane & 1) & (j[lane] < nearest[t]));
+        nearest[t] = take ? j[lane] : nearest[t];
+    }
+    //<
+}
+//<
+
+//> Let all visits look, eight at a time
+USE_AVX2
+INLINED void look_in(const enum geometry geometry,
+                     const struct map *map, struct strip *strip)
+{
+    const struct visits *here = &strip->here;
+    const __m256i one = _mm256_set1_epi32(1);
+    uint32_t whole = here->n / 8 * 8, k = 0;
+    for (uint32_t i = 0; i < whole; i += 8) {
+        look_four(geometry, map, strip, here->task + i, here->at + i);
+        look_four(geometry, map, strip, here->task + i + 4,
+                  here->at + i + 4);
+        __m256i at = _mm256_add_epi32(eight(here->at + i), one);
+        __m256i end = eight(here->end + i);
+        k = keep(here, k, ~bits(_mm256_cmpeq_epi32(at, end)) & 0xff,
+                 eight(here->task + i), at, end);
+    }
+    strip->here.n = look_rest(map, strip, whole, k);
+}
+//<
+
+//> Take the copy for the geometry in AVX2
+USE_AVX2
+static void enter(const struct map *map, struct strip *strip,
+                  const struct tasks *tasks, int32_t dx, int32_t dy)
+{
+    if (map->space.geometry == STANDARD)
+        enter_in(STANDARD, map, strip, tasks, dx, dy);
+    else
+        enter_in(WRAPAROUND, map, strip, tasks, dx, dy);
+}
+
+USE_AVX2
+static void look(const struct map *map, struct strip *strip)
+{
+    if (map->space.geometry == STANDARD)
+        look_in(STANDARD, map, strip);
+    else
+        look_in(WRAPAROUND, map, strip);
+}
+
+const struct loops avx2_loops = {AVX2, enter, look};
+//<
+#endif
+//<
