@@ -1,6 +1,7 @@
 //> Fuse the loops
 // See fused.h.
 #include "ch08-vector-spiral/fused.h"
+#include "ch08-vector-spiral/fused_avx2.h"
 #include <assert.h>
 #include <stdlib.h>
 

@@ -16,5 +16,5 @@ uint32_t enter_rest(const struct map *map, struct strip *strip,
 uint32_t look_rest(const struct map *map, struct strip *strip,
                    uint32_t i, uint32_t k);
 
-extern const struct loops portable_loops, avx2_loops;
+extern const struct loops portable_loops;
 //<

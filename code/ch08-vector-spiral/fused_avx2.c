@@ -1,7 +1,7 @@
 //> Fuse the loops in AVX2
 // See fused.h. Eight tasks or visits at a time; doubles in two halves.
 // Routes are loads and stores for each lane, as in chapter 6.
-#include "ch08-vector-spiral/fused.h"
+#include "ch08-vector-spiral/fused_avx2.h"
 #ifdef HAVE_X86_VECTORS
 #include <immintrin.h>
 #include <stdlib.h>
