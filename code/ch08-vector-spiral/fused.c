@@ -2,14 +2,14 @@
 // See fused.h.
 #include "ch08-vector-spiral/fused.h"
 #include "ch08-vector-spiral/fused_avx2.h"
+#include "ch08-vector-spiral/fused_avx512.h"
 #include <assert.h>
 #include <stdlib.h>
 
 //> Enter a cell in one pass
-INLINED uint32_t enter_in(const enum geometry geometry,
-                          const struct map *map, struct strip *strip,
-                          const struct tasks *tasks, int32_t dx,
-                          int32_t dy, uint32_t i, uint32_t k)
+INLINED void enter_in(const enum geometry geometry,
+                      const struct map *map, struct strip *strip,
+                      const struct tasks *tasks, int32_t dx, int32_t dy)
 {
     const struct axis *x = &map->grid->x, *y = &map->grid->y;
     const uint32_t *start = map->cells->start;
@@ -18,90 +18,86 @@ INLINED uint32_t enter_in(const enum geometry geometry,
     const struct visits *here = &strip->here;
     const int32_t across = abs(dx), along = abs(dy);
     uint64_t looked = 0;
-    for (; i < tasks->n; i++) {
+    uint32_t k = 0;
+    for (uint32_t i = 0; i < tasks->n; i++) {
         bool seen = (aside[i] >= across) & (ahead[i] >= along);
-        int32_t column =
-            seen ? go(geometry, x, tasks->column[i], dx) : 0;
-        int32_t row = seen ? go(geometry, y, tasks->row[i], dy) : 0;
-        uint32_t cell = row * x->count + column;
+        uint32_t cell = go(geometry, y, tasks->row[i], dy) * x->count +
+                        go(geometry, x, tasks->column[i], dx);
+        cell *= seen; // cell 0 is there for all
+        uint32_t begin = start[cell], end = start[cell + 1];
         here->task[k] = tasks->task[i];
-        here->at[k] = start[cell];
-        here->end[k] = start[cell + 1];
+        here->at[k] = begin;
+        here->end[k] = end;
         looked += seen;
-        k += seen & (start[cell] < start[cell + 1]);
+        k += seen & (begin < end);
     }
     strip->tally.looked += looked;
-    return k;
+    strip->here.n = k;
 }
 //<
 
 //> Look at a point in one pass
-INLINED uint32_t look_in(const enum geometry geometry,
-                         const struct map *map, struct strip *strip,
-                         uint32_t i, uint32_t k)
+// No number is neither nearer nor as near: a point does not find
+// itself.
+static const double no_number_if[] = {0, NAN};
+
+INLINED void look_in(const enum geometry geometry,
+                     const struct map *map, struct strip *strip)
 {
     const struct points p = map->points;
     const uint32_t *point = map->cells->point;
     const struct visits *here = &strip->here;
     double *best2 = strip->best2;
     uint32_t *nearest = strip->nearest;
-    for (; i < here->n; i++) {
+    uint32_t first = strip->first, k = 0;
+    for (uint32_t i = 0; i < here->n; i++) {
         uint32_t t = here->task[i], s = here->at[i], end = here->end[i];
         uint32_t j = point[s];
         double d2 = pair2(geometry, map->space, p.x[j] - strip->x[t],
                           p.y[j] - strip->y[t])
                         .near2;
-        bool better =
-            ((d2 < best2[t]) | ((d2 == best2[t]) & (j < nearest[t]))) &
-            (s != strip->first + t);
-        best2[t] = better ? d2 : best2[t];
+        d2 += no_number_if[s == first + t];
+        double best = best2[t];
+        bool better = (d2 < best) | ((d2 == best) & (j < nearest[t]));
+        best2[t] = d2 < best ? d2 : best;
         nearest[t] = better ? j : nearest[t];
         here->task[k] = t;
         here->at[k] = s + 1;
         here->end[k] = end;
         k += s + 1 < end;
     }
-    return k;
+    strip->here.n = k;
 }
 //<
 
-//> Do the rest
-uint32_t enter_rest(const struct map *map, struct strip *strip,
-                    const struct tasks *tasks, int32_t dx, int32_t dy,
-                    uint32_t i, uint32_t k)
-{
-    if (map->space.geometry == STANDARD)
-        return enter_in(STANDARD, map, strip, tasks, dx, dy, i, k);
-    return enter_in(WRAPAROUND, map, strip, tasks, dx, dy, i, k);
-}
-
-uint32_t look_rest(const struct map *map, struct strip *strip,
-                   uint32_t i, uint32_t k)
-{
-    if (map->space.geometry == STANDARD)
-        return look_in(STANDARD, map, strip, i, k);
-    return look_in(WRAPAROUND, map, strip, i, k);
-}
-//<
-
+//> Take the copy for the geometry in plain C
 static void enter(const struct map *map, struct strip *strip,
                   const struct tasks *tasks, int32_t dx, int32_t dy)
 {
-    strip->here.n = enter_rest(map, strip, tasks, dx, dy, 0, 0);
+    if (map->space.geometry == STANDARD)
+        enter_in(STANDARD, map, strip, tasks, dx, dy);
+    else
+        enter_in(WRAPAROUND, map, strip, tasks, dx, dy);
 }
 
 static void look(const struct map *map, struct strip *strip)
 {
-    strip->here.n = look_rest(map, strip, 0, 0);
+    if (map->space.geometry == STANDARD)
+        look_in(STANDARD, map, strip);
+    else
+        look_in(WRAPAROUND, map, strip);
 }
 
-const struct loops portable_loops = {PORTABLE, enter, look};
+static const struct loops portable_loops = {PORTABLE, enter, look};
+//<
 
 struct loops loops_fused(enum isa isa)
 {
     assert(isa_present(isa) && "its instructions would be illegal");
 #ifdef HAVE_X86_VECTORS
-    if (isa >= AVX2)
+    if (isa == AVX512)
+        return avx512_loops;
+    if (isa == AVX2)
         return avx2_loops;
 #endif
     return portable_loops;

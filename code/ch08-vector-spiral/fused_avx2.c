@@ -100,9 +100,10 @@ INLINED void enter_in(const enum geometry geometry,
     const __m256i along = _mm256_set1_epi32(abs(dy) - 1);
     const int32_t *aside = tasks->reach[dx < 0 ? WEST : EAST];
     const int32_t *ahead = tasks->reach[dy < 0 ? SOUTH : NORTH];
-    uint32_t whole = tasks->n / 8 * 8, k = 0;
     uint64_t looked = 0;
-    for (uint32_t i = 0; i < whole; i += 8) {
+    uint32_t n = tasks->n, k = 0;
+    put(tasks->reach[dx < 0 ? WEST : EAST] + n, _mm256_set1_epi32(-1));
+    for (uint32_t i = 0; i < n; i += 8) {
         __m256i seen = _mm256_and_si256(
             _mm256_cmpgt_epi32(eight(aside + i), across),
             _mm256_cmpgt_epi32(eight(ahead + i), along));
@@ -122,13 +123,13 @@ INLINED void enter_in(const enum geometry geometry,
                  eight(tasks->task + i), begin, end);
     }
     strip->tally.looked += looked;
-    strip->here.n = enter_rest(map, strip, tasks, dx, dy, whole, k);
+    strip->here.n = k;
 }
 //<
 
 //> Measure four distances
 USE_AVX2
-INLINED __m256d nearest_way(__m256d d, double period)
+INLINED __m256d other_way(__m256d d, double period)
 {
     const __m256d sign = _mm256_set1_pd(-0.0);
     return _mm256_sub_pd(_mm256_set1_pd(period),
@@ -142,21 +143,29 @@ INLINED __m256d four_distances2(const enum geometry geometry,
 {
     __m256d xx = _mm256_mul_pd(dx, dx), yy = _mm256_mul_pd(dy, dy);
     if (geometry == WRAPAROUND) {
-        __m256d ax = nearest_way(dx, space.width);
-        __m256d ay = nearest_way(dy, space.height);
-        xx = _mm256_min_pd(xx, _mm256_mul_pd(ax, ax));
-        yy = _mm256_min_pd(yy, _mm256_mul_pd(ay, ay));
+        __m256d bx = other_way(dx, space.width);
+        __m256d by = other_way(dy, space.height);
+        xx = _mm256_min_pd(xx, _mm256_mul_pd(bx, bx));
+        yy = _mm256_min_pd(yy, _mm256_mul_pd(by, by));
     }
     return _mm256_add_pd(xx, yy);
 }
 //<
 
-//> Gather and scatter four doubles
+//> Gather and scatter four
 USE_AVX2
 static inline __m256d four(const double *from, const uint32_t *index)
 {
     return _mm256_set_pd(from[index[3]], from[index[2]], from[index[1]],
                          from[index[0]]);
+}
+
+USE_AVX2
+static inline __m128i four32(const uint32_t *from,
+                             const uint32_t *index)
+{
+    return _mm_set_epi32((int)from[index[3]], (int)from[index[2]],
+                         (int)from[index[1]], (int)from[index[0]]);
 }
 
 USE_AVX2
@@ -169,6 +178,32 @@ static inline void put_four(double *to, const uint32_t *index,
     _mm_storeh_pd(to + index[1], low);
     _mm_storel_pd(to + index[2], high);
     _mm_storeh_pd(to + index[3], high);
+}
+
+USE_AVX2
+static inline void put_four32(uint32_t *to, const uint32_t *index,
+                              __m128i x)
+{
+    to[index[0]] = (uint32_t)_mm_cvtsi128_si32(x);
+    to[index[1]] = (uint32_t)_mm_extract_epi32(x, 1);
+    to[index[2]] = (uint32_t)_mm_extract_epi32(x, 2);
+    to[index[3]] = (uint32_t)_mm_extract_epi32(x, 3);
+}
+//<
+
+//> Narrow and widen masks
+USE_AVX2
+static inline __m128i narrow(__m256d lanes)
+{
+    __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(lanes));
+    __m128 high = _mm_castpd_ps(_mm256_extractf128_pd(lanes, 1));
+    return _mm_castps_si128(_mm_shuffle_ps(low, high, 0x88));
+}
+
+USE_AVX2
+static inline __m256d widen(__m128i lanes)
+{
+    return _mm256_castsi256_pd(_mm256_cvtepi32_epi64(lanes));
 }
 //<
 
@@ -191,36 +226,39 @@ INLINED void look_four(const enum geometry geometry,
                                 _mm_set1_epi32((int)strip->first));
     __m128i self =
         _mm_cmpeq_epi32(own, _mm_loadu_si128((const __m128i *)at));
-    d2 = _mm256_or_pd(d2,
-                      _mm256_castsi256_pd(_mm256_cvtepi32_epi64(self)));
+    d2 = _mm256_or_pd(d2, widen(self));
     //<
     //> Keep what is nearer in four lanes
     __m256d best2 = four(strip->best2, task);
-    uint32_t *nearest = strip->nearest;
-    __m256d nearer = _mm256_cmp_pd(d2, best2, _CMP_LT_OQ);
-    __m256d tie = _mm256_cmp_pd(d2, best2, _CMP_EQ_OQ);
-    int better = _mm256_movemask_pd(nearer);
-    int ties = _mm256_movemask_pd(tie);
-    put_four(strip->best2, task, _mm256_blendv_pd(best2, d2, nearer));
-    for (int lane = 0; lane < 4; lane++) {
-        uint32_t t = task[lane];
-        bool take = (better >> lane & 1) |
-                    ((ties >> lane & 1) & (j[lane] < nearest[t]));
-        nearest[t] = take ? j[lane] : nearest[t];
-    }
+    __m128i nearest = four32(strip->nearest, task);
+    __m128i candidate = four32(point, at);
+    __m128i lower =
+        _mm_cmpeq_epi32(_mm_min_epu32(candidate, nearest), candidate);
+    __m128i nearer = narrow(_mm256_cmp_pd(d2, best2, _CMP_LT_OQ));
+    __m128i tie = narrow(_mm256_cmp_pd(d2, best2, _CMP_EQ_OQ));
+    __m128i better = _mm_or_si128(nearer, _mm_and_si128(tie, lower));
+    put_four(strip->best2, task,
+             _mm256_blendv_pd(best2, d2, widen(better)));
+    put_four32(strip->nearest, task,
+               _mm_blendv_epi8(nearest, candidate, better));
     //<
 }
 //<
 
 //> Let all visits look, eight at a time
+// The last vector is filled up with visits of nobody, each with a
+// single point left.
 USE_AVX2
 INLINED void look_in(const enum geometry geometry,
                      const struct map *map, struct strip *strip)
 {
     const struct visits *here = &strip->here;
     const __m256i one = _mm256_set1_epi32(1);
-    uint32_t whole = here->n / 8 * 8, k = 0;
-    for (uint32_t i = 0; i < whole; i += 8) {
+    uint32_t n = here->n, k = 0;
+    put(here->task + n, _mm256_set1_epi32((int)strip->all.n));
+    put(here->at + n, _mm256_setzero_si256());
+    put(here->end + n, one);
+    for (uint32_t i = 0; i < n; i += 8) {
         look_four(geometry, map, strip, here->task + i, here->at + i);
         look_four(geometry, map, strip, here->task + i + 4,
                   here->at + i + 4);
@@ -229,7 +267,7 @@ INLINED void look_in(const enum geometry geometry,
         k = keep(here, k, ~bits(_mm256_cmpeq_epi32(at, end)) & 0xff,
                  eight(here->task + i), at, end);
     }
-    strip->here.n = look_rest(map, strip, whole, k);
+    strip->here.n = k;
 }
 //<
 

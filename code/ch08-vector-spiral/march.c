@@ -55,26 +55,47 @@ static void look_together(const struct marching *m,
 
 //> Go round a layer together
 // No further to any side than some task may go.
+static int32_t furthest(const struct tasks *tasks, enum side side,
+                        int32_t k)
+{
+    int32_t reach = 0;
+    for (uint32_t i = 0; i < tasks->n; i++)
+        reach = more(reach, tasks->reach[side][i]);
+    return fewer(reach, k);
+}
+
 static void go_round(const struct marching *m,
                      const struct tasks *tasks, int32_t k)
 {
-    int32_t reach[SIDES];
-    for (int side = 0; side < SIDES; side++) {
-        reach[side] = 0;
-        for (uint32_t i = 0; i < tasks->n; i++)
-            reach[side] = more(reach[side], tasks->reach[side][i]);
-        reach[side] = fewer(reach[side], k);
-    }
-    for (int32_t dy = -reach[SOUTH]; dy <= reach[NORTH]; dy++) {
+    int32_t west = furthest(tasks, WEST, k);
+    int32_t east = furthest(tasks, EAST, k);
+    int32_t south = furthest(tasks, SOUTH, k);
+    int32_t north = furthest(tasks, NORTH, k);
+    for (int32_t dy = -south; dy <= north; dy++) {
         if (dy == -k || dy == k) {
-            for (int32_t dx = -reach[WEST]; dx <= reach[EAST]; dx++)
+            for (int32_t dx = -west; dx <= east; dx++)
                 look_together(m, tasks, dx, dy);
             continue;
         }
-        if (reach[WEST] == k)
+        if (west == k)
             look_together(m, tasks, -k, dy);
-        if (reach[EAST] == k)
+        if (east == k)
             look_together(m, tasks, k, dy);
+    }
+}
+//<
+
+//> Tally a layer
+static void do_layer(const struct marching *m,
+                     const struct tasks *tasks, int32_t k,
+                     uint64_t tally[static LAYERS_TALLIED])
+{
+    struct tally *sum = &m->strip->tally;
+    uint64_t before = sum->looked;
+    go_round(m, tasks, k);
+    if (k < LAYERS_TALLIED) {
+        tally[k] += tasks->n;
+        sum->shown[k] += sum->looked - before;
     }
 }
 //<
@@ -102,11 +123,9 @@ static void phase_one(const struct marching *m)
     struct strip *strip = m->strip;
     const struct tasks *tasks = &strip->all;
     for (int32_t k = 0; tasks->n > 0; k++) {
-        if (k < LAYERS_TALLIED)
-            strip->tally.seeking[k] += tasks->n;
         for (uint32_t i = 0; i < tasks->n; i++)
             strip->ended[tasks->task[i]] = k;
-        go_round(m, tasks, k);
+        do_layer(m, tasks, k, strip->tally.seeking);
         for (uint32_t i = 0; i < tasks->n; i++)
             strip->keep[i] = strip->nearest[tasks->task[i]] == NOBODY;
         pack_tasks(strip, tasks);
@@ -183,9 +202,7 @@ static void phase_two(const struct marching *m)
             further |= far > k;
         }
         pack_tasks(strip, all);
-        if (k < LAYERS_TALLIED)
-            strip->tally.looking[k] += strip->some.n;
-        go_round(m, &strip->some, k);
+        do_layer(m, &strip->some, k, strip->tally.looking);
     }
 }
 //<
@@ -199,6 +216,8 @@ static void begin(const struct marching *m, uint32_t first, uint32_t n)
     const uint32_t *point = map->cells->point + first;
     s->first = first;
     s->all.n = n;
+    s->x[n] = s->y[n] = s->best2[n] = 0;
+    s->nearest[n] = 0;
     s->primitives->gather(s->x, map->points.x, point, n);
     s->primitives->gather(s->y, map->points.y, point, n);
     for (uint32_t t = 0; t < n; t++) {

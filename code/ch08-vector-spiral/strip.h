@@ -33,14 +33,15 @@ enum { LAYERS_TALLIED = 8, LANES_TALLIED = 8 };
 
 struct tally {
     uint64_t tasks;
-    uint64_t seeking[LAYERS_TALLIED]; // in phase one, at layer k
-    uint64_t looking[LAYERS_TALLIED]; // in phase two
+    uint64_t seeking[LAYERS_TALLIED]; // tasks at layer k in phase one
+    uint64_t looking[LAYERS_TALLIED]; // and in phase two
+    uint64_t shown[LAYERS_TALLIED];   // cells of it that they look at
     uint64_t steps;                   // tried by the curtains
-    uint64_t tried, looked, entered;  // cells: seen in the list, in the
-                                      // window, with points
+    uint64_t tried, looked, entered;  // cells: by all tasks of a list,
+                                      // in the window, with points
     uint64_t points;                  // looked at
-    uint64_t calls;                   // of the loops over points
-    uint64_t lanes, unpacked;         // for them: packed and not
+    uint64_t calls;                   // of the loop over points
+    uint64_t lanes, unpacked;         // in it: with packing, without
 };
 //<
 

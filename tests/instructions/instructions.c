@@ -4,9 +4,11 @@
 // <immintrin.h> of the folder emulated/.
 #include "ch05-collisions/check_conflict.h"
 #include "ch06-pack-scan/check_primitives.h"
+#include "ch08-vector-spiral/check_march.h"
 
 extern const struct primitives emulated_avx2_primitives;
 extern const struct primitives emulated_avx512_primitives;
+extern const struct loops emulated_avx2_loops, emulated_avx512_loops;
 
 void emulated_conflict_count(const uint32_t *home, uint32_t n,
                              uint32_t *count);
@@ -30,9 +32,21 @@ static void avx512_primitives_emulated(void)
     check_far(&emulated_avx512_primitives, "emulated avx512");
 }
 
+// Between the loops, the plain primitives do.
+static void march_emulated(void)
+{
+    struct loops loops = emulated_avx2_loops;
+    loops.isa = PORTABLE;
+    check_march(&loops, "emulated avx2");
+    loops = emulated_avx512_loops;
+    loops.isa = PORTABLE;
+    check_march(&loops, "emulated avx512");
+}
+
 int main(void)
 {
     return RUN_TESTS("instructions", TEST(conflict_detection_emulated),
                      TEST(avx2_primitives_emulated),
-                     TEST(avx512_primitives_emulated));
+                     TEST(avx512_primitives_emulated),
+                     TEST(march_emulated));
 }

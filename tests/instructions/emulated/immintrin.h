@@ -94,15 +94,48 @@ EMULATED_LOAD_STORE(eight, __m512d, uint32_t, double)
     }
 EMULATED_ROUTES(doubles, __m512d, double)
 EMULATED_ROUTES(numbers, __m256i, uint32_t)
+EMULATED_ROUTES(pairs, __m512i, uint64_t)
 
 #undef _mm512_mask_i64gather_pd
 #define _mm512_mask_i64gather_pd emulated_gather_doubles
 #undef _mm512_mask_i64gather_epi32
 #define _mm512_mask_i64gather_epi32 emulated_gather_numbers
+#undef _mm512_mask_i64gather_epi64
+#define _mm512_mask_i64gather_epi64 emulated_gather_pairs
 #undef _mm512_mask_i64scatter_pd
 #define _mm512_mask_i64scatter_pd emulated_scatter_doubles
 #undef _mm512_mask_i64scatter_epi32
 #define _mm512_mask_i64scatter_epi32 emulated_scatter_numbers
+
+// ---- masked comparisons --------------------------------------------
+#define EMULATED_COMPARE(name, vector, type, op)                    \
+    static inline simde__mmask8 emulated_##name(simde__mmask8 mask, \
+                                                vector a, vector b) \
+    {                                                               \
+        type x[8], y[8];                                            \
+        simde__mmask8 result = 0;                                   \
+        memcpy(x, &a, sizeof x);                                    \
+        memcpy(y, &b, sizeof y);                                    \
+        for (unsigned i = 0; i < 8; i++)                            \
+            result |= (simde__mmask8)((x[i] op y[i]) << i);         \
+        return result & mask;                                       \
+    }
+EMULATED_COMPARE(not_less, __m256i, int32_t, >=)
+EMULATED_COMPARE(not_equal, __m256i, int32_t, !=)
+EMULATED_COMPARE(not_above, __m256i, uint32_t, <=)
+EMULATED_COMPARE(less, __m512d, double, <)
+EMULATED_COMPARE(equal, __m512d, double, ==)
+
+#undef _mm256_mask_cmpge_epi32_mask
+#define _mm256_mask_cmpge_epi32_mask emulated_not_less
+#undef _mm256_mask_cmpneq_epi32_mask
+#define _mm256_mask_cmpneq_epi32_mask emulated_not_equal
+#undef _mm256_mask_cmple_epu32_mask
+#define _mm256_mask_cmple_epu32_mask emulated_not_above
+#undef _mm512_mask_cmplt_pd_mask
+#define _mm512_mask_cmplt_pd_mask emulated_less
+#undef _mm512_mask_cmpeq_pd_mask
+#define _mm512_mask_cmpeq_pd_mask emulated_equal
 
 // ---- within registers ----------------------------------------------
 static inline __m512i emulated_widen(__m256i x)
@@ -164,3 +197,14 @@ static inline uint64_t emulated_extract(uint64_t bits, uint64_t mask)
 }
 #undef _pext_u64
 #define _pext_u64 emulated_extract
+
+static inline uint64_t emulated_deposit(uint64_t bits, uint64_t mask)
+{
+    uint64_t result = 0;
+    for (unsigned i = 0, k = 0; i < 64; i++)
+        if (mask >> i & 1)
+            result |= (bits >> k++ & 1) << i;
+    return result;
+}
+#undef _pdep_u64
+#define _pdep_u64 emulated_deposit

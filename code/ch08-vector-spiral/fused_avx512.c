@@ -1,0 +1,215 @@
+//> Fuse the loops in AVX-512
+// See fused_avx512.h. Every load, store and route has a mask of the
+// lanes that it is for, so that a vector need not be full.
+#include "ch08-vector-spiral/fused_avx512.h"
+#ifdef HAVE_X86_VECTORS
+#include <immintrin.h>
+#include <stdlib.h>
+
+//> Mask the lanes that are left
+USE_AVX512
+static inline __mmask8 left(uint32_t n)
+{
+    return n < 8 ? (__mmask8)((1u << n) - 1) : 0xff;
+}
+
+USE_AVX512
+static inline __m256i eight(__mmask8 here, const void *from)
+{
+    return _mm256_maskz_loadu_epi32(here, from);
+}
+//<
+
+//> Compress, then store
+// The marked visits, behind the k that are already kept. Compress in a
+// register: straight to memory is slow on some processors.
+USE_AVX512
+static inline uint32_t keep(const struct visits *here, uint32_t k,
+                            __mmask8 lanes, __m256i task, __m256i at,
+                            __m256i end)
+{
+    _mm256_storeu_si256((__m256i *)(here->task + k),
+                        _mm256_maskz_compress_epi32(lanes, task));
+    _mm256_storeu_si256((__m256i *)(here->at + k),
+                        _mm256_maskz_compress_epi32(lanes, at));
+    _mm256_storeu_si256((__m256i *)(here->end + k),
+                        _mm256_maskz_compress_epi32(lanes, end));
+    return k + (uint32_t)__builtin_popcount(lanes);
+}
+//<
+
+//> Take eight tasks along an axis
+USE_AVX512
+INLINED __m256i steps(const enum geometry geometry,
+                      const struct axis *axis, __m256i home, int32_t by)
+{
+    const __m256i m = _mm256_set1_epi32((int32_t)axis->count);
+    __m256i to = _mm256_add_epi32(home, _mm256_set1_epi32(by));
+    if (geometry == STANDARD)
+        return to;
+    __mmask8 below =
+        _mm256_mask_cmpge_epi32_mask(0xff, _mm256_set1_epi32(-1), to);
+    __mmask8 beyond = _mm256_mask_cmpge_epi32_mask(0xff, to, m);
+    to = _mm256_mask_add_epi32(to, below, to, m);
+    return _mm256_mask_add_epi32(
+        to, beyond, to, _mm256_sub_epi32(_mm256_setzero_si256(), m));
+}
+//<
+
+//> Enter a cell, eight by eight
+USE_AVX512
+INLINED void enter_in(const enum geometry geometry,
+                      const struct map *map, struct strip *strip,
+                      const struct tasks *tasks, int32_t dx, int32_t dy)
+{
+    const struct axis *x = &map->grid->x, *y = &map->grid->y;
+    const __m256i columns = _mm256_set1_epi32((int32_t)x->count);
+    const __m256i across = _mm256_set1_epi32(abs(dx));
+    const __m256i along = _mm256_set1_epi32(abs(dy));
+    const int32_t *aside = tasks->reach[dx < 0 ? WEST : EAST];
+    const int32_t *ahead = tasks->reach[dy < 0 ? SOUTH : NORTH];
+    uint32_t n = tasks->n, k = 0;
+    uint64_t looked = 0;
+    for (uint32_t i = 0; i < n; i += 8) {
+        __mmask8 all = left(n - i);
+        __mmask8 seen = _mm256_mask_cmpge_epi32_mask(
+            all, eight(all, aside + i), across);
+        seen = _mm256_mask_cmpge_epi32_mask(seen, eight(all, ahead + i),
+                                            along);
+        __m256i row =
+            steps(geometry, y, eight(seen, tasks->row + i), dy);
+        __m256i cell = _mm256_add_epi32(
+            _mm256_mullo_epi32(row, columns),
+            steps(geometry, x, eight(seen, tasks->column + i), dx));
+        //> Gather where each cell begins and ends
+        __m512i both = _mm512_mask_i64gather_epi64(
+            _mm512_setzero_si512(), seen, _mm512_cvtepu32_epi64(cell),
+            map->cells->start, 4);
+        __m256i begin = _mm512_cvtepi64_epi32(both);
+        __m256i end =
+            _mm512_cvtepi64_epi32(_mm512_srli_epi64(both, 32));
+        //<
+        looked += (unsigned)__builtin_popcount(seen);
+        k = keep(&strip->here, k,
+                 _mm256_mask_cmpneq_epi32_mask(seen, begin, end),
+                 eight(seen, tasks->task + i), begin, end);
+    }
+    strip->tally.looked += looked;
+    strip->here.n = k;
+}
+//<
+
+//> Measure eight distances
+USE_AVX512
+INLINED __m512d eight_distances2(const enum geometry geometry,
+                                 struct space space, __m512d dx,
+                                 __m512d dy)
+{
+    __m512d xx = _mm512_mul_pd(dx, dx), yy = _mm512_mul_pd(dy, dy);
+    if (geometry == WRAPAROUND) {
+        __m512d bx = _mm512_sub_pd(_mm512_set1_pd(space.width),
+                                   _mm512_abs_pd(dx));
+        __m512d by = _mm512_sub_pd(_mm512_set1_pd(space.height),
+                                   _mm512_abs_pd(dy));
+        xx = _mm512_min_pd(xx, _mm512_mul_pd(bx, bx));
+        yy = _mm512_min_pd(yy, _mm512_mul_pd(by, by));
+    }
+    return _mm512_add_pd(xx, yy);
+}
+//<
+
+//> Let eight visits look
+USE_AVX512
+static inline __m512d doubles(__mmask8 here, __m512i index,
+                              const double *from)
+{
+    return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), here, index,
+                                    from, 8);
+}
+
+USE_AVX512
+static inline __m256i numbers(__mmask8 here, __m512i index,
+                              const uint32_t *from)
+{
+    return _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), here,
+                                       index, from, 4);
+}
+
+USE_AVX512
+INLINED void look_eight(const enum geometry geometry,
+                        const struct map *map, struct strip *strip,
+                        __mmask8 here, __m256i task, __m256i at)
+{
+    const struct points p = map->points;
+    __m256i point =
+        numbers(here, _mm512_cvtepu32_epi64(at), map->cells->point);
+    __m512i t = _mm512_cvtepu32_epi64(task);
+    __m512i j = _mm512_cvtepu32_epi64(point);
+    __m512d d2 =
+        eight_distances2(geometry, map->space,
+                         _mm512_sub_pd(doubles(here, j, p.x),
+                                       doubles(here, t, strip->x)),
+                         _mm512_sub_pd(doubles(here, j, p.y),
+                                       doubles(here, t, strip->y)));
+    __m512d best2 = doubles(here, t, strip->best2);
+    __m256i nearest = numbers(here, t, strip->nearest);
+    //> Keep what is nearer, by masks
+    __m256i own = _mm256_add_epi32(
+        task, _mm256_set1_epi32((int32_t)strip->first));
+    __mmask8 others = _mm256_mask_cmpneq_epi32_mask(here, at, own);
+    __mmask8 nearer = _mm512_mask_cmplt_pd_mask(others, d2, best2);
+    __mmask8 tie = _mm512_mask_cmpeq_pd_mask(others, d2, best2);
+    tie = _mm256_mask_cmple_epu32_mask(tie, point, nearest);
+    __mmask8 better = nearer | tie;
+    _mm512_mask_i64scatter_pd(strip->best2, better, t, d2, 8);
+    _mm512_mask_i64scatter_epi32(strip->nearest, better, t, point, 4);
+    //<
+}
+//<
+
+//> Let all visits look, by masks
+USE_AVX512
+INLINED void look_in(const enum geometry geometry,
+                     const struct map *map, struct strip *strip)
+{
+    const struct visits *here = &strip->here;
+    const __m256i one = _mm256_set1_epi32(1);
+    uint32_t n = here->n, k = 0;
+    for (uint32_t i = 0; i < n; i += 8) {
+        __mmask8 all = left(n - i);
+        __m256i task = eight(all, here->task + i);
+        __m256i at = eight(all, here->at + i);
+        __m256i end = eight(all, here->end + i);
+        look_eight(geometry, map, strip, all, task, at);
+        at = _mm256_add_epi32(at, one);
+        k = keep(here, k, _mm256_mask_cmpneq_epi32_mask(all, at, end),
+                 task, at, end);
+    }
+    strip->here.n = k;
+}
+//<
+
+//> Take the copy for the geometry in AVX-512
+USE_AVX512
+static void enter(const struct map *map, struct strip *strip,
+                  const struct tasks *tasks, int32_t dx, int32_t dy)
+{
+    if (map->space.geometry == STANDARD)
+        enter_in(STANDARD, map, strip, tasks, dx, dy);
+    else
+        enter_in(WRAPAROUND, map, strip, tasks, dx, dy);
+}
+
+USE_AVX512
+static void look(const struct map *map, struct strip *strip)
+{
+    if (map->space.geometry == STANDARD)
+        look_in(STANDARD, map, strip);
+    else
+        look_in(WRAPAROUND, map, strip);
+}
+
+const struct loops avx512_loops = {AVX512, enter, look};
+//<
+#endif
+//<
