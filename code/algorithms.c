@@ -14,6 +14,7 @@
 #include "ch05-collisions/groups.h"
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/vector_spiral.h"
+#include "ch09-row-spans/row_spans.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,6 +56,8 @@ const struct algorithm TABLE[] = {
      "four points ask together", cells_together},
     {"cells-threads", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted by all threads", cells_threads},
+    {"row-spans", 9, STANDARD | WRAPAROUND, NEAREST, "n",
+     "eight share three spans", row_spans},
 };
 //<
 

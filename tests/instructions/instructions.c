@@ -5,10 +5,13 @@
 #include "ch05-collisions/check_conflict.h"
 #include "ch06-pack-scan/check_primitives.h"
 #include "ch08-vector-spiral/check_march.h"
+#include "ch09-row-spans/check_spans.h"
 
 extern const struct primitives emulated_avx2_primitives;
 extern const struct primitives emulated_avx512_primitives;
 extern const struct loops emulated_avx2_loops, emulated_avx512_loops;
+
+extern span_search emulated_avx2_spans, emulated_avx512_spans;
 
 void emulated_conflict_count(const uint32_t *home, uint32_t n,
                              uint32_t *count);
@@ -43,10 +46,21 @@ static void march_emulated(void)
     check_march(&loops, "emulated avx512");
 }
 
+static void avx2_spans_emulated(void)
+{
+    check_spans(emulated_avx2_spans, "emulated avx2");
+}
+
+static void avx512_spans_emulated(void)
+{
+    check_spans(emulated_avx512_spans, "emulated avx512");
+}
+
 int main(void)
 {
     return RUN_TESTS("instructions", TEST(conflict_detection_emulated),
                      TEST(avx2_primitives_emulated),
                      TEST(avx512_primitives_emulated),
-                     TEST(march_emulated));
+                     TEST(march_emulated), TEST(avx2_spans_emulated),
+                     TEST(avx512_spans_emulated));
 }

@@ -152,6 +152,20 @@ static inline __m512i emulated_widen(__m256i x)
 #undef _mm512_cvtepu32_epi64
 #define _mm512_cvtepu32_epi64 emulated_widen
 
+static inline __m256 emulated_single(__m512d x)
+{
+    double wide[8];
+    float narrow[8];
+    memcpy(wide, &x, sizeof wide);
+    for (int i = 0; i < 8; i++)
+        narrow[i] = (float)wide[i];
+    __m256 result;
+    memcpy(&result, narrow, sizeof result);
+    return result;
+}
+#undef _mm512_cvtpd_ps
+#define _mm512_cvtpd_ps emulated_single
+
 // The sixteen lanes from number `by` on of b, followed by a.
 static inline __m512i emulated_align(__m512i a, __m512i b, int by)
 {

@@ -1,0 +1,27 @@
+//> Declare the search by row spans
+// The nearest neighbors of points that are sorted by cell. Eight points
+// that follow each other in a row of cells ask together. The cells
+// around them are a span of the sorted points in each of three rows,
+// which are copied to a small table in single precision; a sweep over
+// it finds out for each of the eight who is nearest and whether, with
+// all rounding, nobody else can be. His distance is then computed in
+// double precision. Those for whom that does not settle it ask alone.
+// About 9 c + 24 distances for eight points, c points in a cell;
+// threads share out the points.
+#pragma once
+#include "ch09-row-spans/manners.h"
+
+// Where this search is fastest on average.
+#define POINTS_PER_SPAN_CELL 1.5
+
+// Nearest only; threads and space are the question's, the instruction
+// set is isa_chosen(). The points may be sorted in any way and have any
+// number in a cell.
+void search_row_spans(const struct question *question,
+                      const struct sorted *sorted, enum manner manner,
+                      struct answers *answers);
+
+// The row of the table: sorts, carrying the points, and searches.
+void row_spans(const struct question *question,
+               struct answers *answers);
+//<

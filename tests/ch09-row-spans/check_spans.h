@@ -1,0 +1,196 @@
+// The checks of chapter 9's search, for one instruction set: against
+// the plainest search there is, in every manner of asking, for any
+// number of points to a cell. For tests/instructions, too.
+#pragma once
+#include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/manners.h"
+
+#include "common/generate.h"
+#include "common/random.h"
+#include "harness.h"
+#include <string.h>
+
+static const double densities[] = {0.02, 0.3, 1, 1.5, 4, 20, 1e6};
+enum { DENSITIES = sizeof densities / sizeof *densities, MANNERS = 3 };
+
+struct checked {
+    span_search *search;
+    const char *isa, *points;
+};
+
+// From begin on in pieces of different lengths, so that tiles begin
+// anywhere and end anywhere.
+static inline void search_in_pieces(const struct checked *checked,
+                                    const struct question *question,
+                                    const struct sorted *sorted,
+                                    enum manner manner, uint32_t piece,
+                                    struct answers *found)
+{
+    const uint32_t n = sorted->points.n;
+    memset(found->nearest, 0xA5, n * sizeof *found->nearest);
+    memset(found->nearest2, 0xA5, n * sizeof *found->nearest2);
+    for (uint64_t begin = 0; begin < n; begin += piece) {
+        uint64_t end = begin + piece;
+        checked->search(question, sorted, manner, begin,
+                        end < n ? end : n, found);
+    }
+}
+
+static inline void check_answers(const struct checked *checked,
+                                 const struct question *question,
+                                 double c, enum manner manner,
+                                 const struct answers *right,
+                                 const struct answers *found)
+{
+    for (uint32_t i = 0; i < question->points.n; i++)
+        if (!CHECK_DOUBLE(right->nearest2[i], found->nearest2[i],
+                          "%s, %u %s points, c %g, geometry %d, manner "
+                          "%d: distance of %u",
+                          checked->isa, question->points.n,
+                          checked->points, c, question->space.geometry,
+                          manner, i) ||
+            !CHECK_INT(right->nearest[i], found->nearest[i],
+                       "%s, %u %s points, c %g, geometry %d, manner "
+                       "%d: nearest of %u",
+                       checked->isa, question->points.n,
+                       checked->points, c, question->space.geometry,
+                       manner, i))
+            return; // one is enough
+}
+
+static inline void check_points(span_search *search, const char *isa,
+                                struct points points,
+                                struct space space, const char *name)
+{
+    const struct checked checked = {search, isa, name};
+    struct question question = {points, space, 1};
+    struct answers right = answers_allocate(points.n);
+    struct answers found = answers_allocate(points.n);
+    search_plainly(&question, &right);
+    for (int k = 0; k < DENSITIES; k++) {
+        struct sorted sorted = sorted_carry(&question, densities[k]);
+        for (int manner = 0; manner < MANNERS; manner++) {
+            search_in_pieces(&checked, &question, &sorted, manner,
+                             k % 2 ? UINT32_MAX : 13, &found);
+            check_answers(&checked, &question, densities[k], manner,
+                          &right, &found);
+        }
+        sorted_free(&sorted);
+    }
+    answers_free(&found);
+    answers_free(&right);
+}
+
+static inline void check_generators(span_search *search,
+                                    const char *isa)
+{
+    static const uint32_t lengths[] = {2, 3, 8, 9, 50, 300, 1200};
+    for (int d = 0; d < distribution_count; d++)
+        for (int k = 0; k < 7; k++) {
+            test_seed(k);
+            struct points points =
+                generate(&distributions[d], lengths[k], k);
+            check_points(search, isa, points,
+                         (struct space){STANDARD, 1, 1},
+                         distributions[d].name);
+            points_free(&points);
+        }
+}
+
+// Boxes as wide as they are tall, and not; and points in a corner of
+// the box only, so that the way across its border is short for some.
+static inline void check_borders(span_search *search, const char *isa)
+{
+    for (uint32_t n = 2; n < 800; n = 2 * n + 1)
+        for (int shape = 0; shape < 4; shape++) {
+            test_seed(n);
+            struct points points =
+                generate(find_distribution("uniform"), n, n);
+            double width = shape == 1 ? 9 : 1;
+            double height = shape == 2 ? 9 : 1;
+            double part = shape == 3 ? 0.6 : 1;
+            for (uint32_t i = 0; i < n; i++) {
+                points.x[i] *= part * width;
+                points.y[i] *= part * height;
+            }
+            check_points(search, isa, points,
+                         (struct space){WRAPAROUND, width, height},
+                         "wrapped");
+            check_points(search, isa, points,
+                         (struct space){STANDARD, 1, 1}, "stretched");
+            points_free(&points);
+        }
+}
+
+// Neighbors that single precision cannot tell apart: on a lattice that
+// is shaken by 1e-2 down to 1e-17 of its step, and far from the origin.
+static inline void check_shaken(span_search *search, const char *isa)
+{
+    for (double shake = 1e-2; shake > 1e-18; shake /= 10)
+        for (int far = 0; far <= 1; far++) {
+            test_seed(1);
+            struct random random = {1};
+            struct points points = points_allocate(400);
+            for (uint32_t i = 0; i < 400; i++) {
+                uint32_t k = i * 37 % 400;
+                points.x[i] = k % 20 + shake * random_uniform(&random) +
+                              1e6 * far;
+                points.y[i] = k / 20 + shake * random_uniform(&random) -
+                              1e6 * far;
+            }
+            check_points(search, isa, points,
+                         (struct space){STANDARD, 1, 1}, "shaken");
+            if (!far)
+                check_points(search, isa, points,
+                             (struct space){WRAPAROUND, 20.5, 21},
+                             "shaken");
+            points_free(&points);
+        }
+}
+
+// Coordinates that floats cannot hold, or whose squares they cannot.
+static inline void check_scales(span_search *search, const char *isa)
+{
+    for (int exponent = -320; exponent <= 300; exponent += 20)
+        for (uint32_t n = 20; n <= 200; n *= 10) {
+            test_seed(n);
+            struct points points =
+                generate(find_distribution("uniform"), n, n);
+            for (uint32_t i = 0; i < n; i++) {
+                points.x[i] *= pow(10, exponent);
+                points.y[i] *= pow(10, exponent);
+            }
+            check_points(search, isa, points,
+                         (struct space){STANDARD, 1, 1}, "scaled");
+            points_free(&points);
+        }
+}
+
+// As many candidates as the table takes, one less and one more; and a
+// crowd among few.
+static inline void check_crowds(span_search *search, const char *isa)
+{
+    for (uint32_t crowd = 225; crowd <= 265; crowd++) {
+        test_seed(crowd);
+        struct points points =
+            generate(find_distribution("uniform"), crowd + 60, crowd);
+        for (uint32_t i = 0; i < crowd; i++) {
+            points.x[i] = 0.5 + 0.004 * points.x[i];
+            points.y[i] = 0.5 + 0.004 * points.y[i];
+        }
+        check_points(search, isa, points,
+                     (struct space){STANDARD, 1, 1}, "crowded");
+        check_points(search, isa, points,
+                     (struct space){WRAPAROUND, 1, 1}, "crowded");
+        points_free(&points);
+    }
+}
+
+static inline void check_spans(span_search *search, const char *isa)
+{
+    check_generators(search, isa);
+    check_borders(search, isa);
+    check_shaken(search, isa);
+    check_scales(search, isa);
+    check_crowds(search, isa);
+}
