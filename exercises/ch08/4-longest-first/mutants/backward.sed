@@ -1,0 +1,5 @@
+# Places the tasks from the last to the first.
+# expect: from the first to the last
+s/for (uint32_t i = 0; i < n; i++)$/&/
+/order\[places/s/= i;/= n - 1 - i;/
+/order\[places/s/length\[i\]/length[n - 1 - i]/

@@ -1,0 +1,3 @@
+# Works off one task after the other.
+# expect: take a step together
+s/^        step(places\[b\], order);/        for (uint32_t l = 0; l < places[b]; l++)\n            step(1, order + l);/

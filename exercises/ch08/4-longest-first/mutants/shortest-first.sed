@@ -1,0 +1,3 @@
+# Puts the shortest first.
+# expect: which end of the order
+s/for (uint32_t b = longest + 1; b-- > 0;) {/for (uint32_t b = 0; b <= longest; b++) {/

@@ -1,0 +1,250 @@
+// Tests of tasks in the order of their lengths: the steps that each was
+// given, the lanes that worked for nothing, and the order.
+#include "common/random.h"
+#include "exercise.h"
+#include "kit.h"
+#include <string.h>
+
+static uint32_t tasks, longest, *length;
+
+// What the student's process leaves behind.
+static uint32_t *done; // the steps of each task
+static struct notes {
+    uint32_t steps, most_steps;
+    bool bad_lanes, bad_task, twice;
+    uint32_t lanes, task; // the last ones
+    bool idle;
+    uint32_t idle_step, idle_task; // the first one
+    bool disordered;
+    uint32_t left, right; // the first such neighbors
+} * notes;
+
+static void look_at_order(uint32_t left, uint32_t right)
+{
+    if (notes->disordered || length[left] != length[right] ||
+        left < right)
+        return;
+    notes->disordered = true;
+    notes->left = left;
+    notes->right = right;
+}
+
+void step(uint32_t lanes, const uint32_t *task)
+{
+    if (lanes > tasks || notes->steps == notes->most_steps) {
+        notes->bad_lanes = true;
+        notes->lanes = lanes;
+        kit_leave();
+    }
+    for (uint32_t l = 0; l < lanes; l++) {
+        notes->task = task[l];
+        notes->bad_task = task[l] >= tasks;
+        if (notes->bad_task)
+            kit_leave();
+        if (done[task[l]] == length[task[l]] && !notes->idle) {
+            notes->idle = true;
+            notes->idle_step = notes->steps;
+            notes->idle_task = task[l];
+        }
+        done[task[l]]++;
+        if (l > 0)
+            look_at_order(task[l - 1], task[l]);
+    }
+    notes->steps++;
+    notes->lanes = lanes;
+}
+
+// ---- inputs --------------------------------------------------------
+
+static void prepare(uint32_t n, uint32_t most)
+{
+    tasks = n;
+    longest = most;
+    length = kit_input("length", n, sizeof *length);
+}
+
+// As many points as uniform ones leave in a cell, one on average.
+static void prepare_cells(uint32_t n, uint64_t seed)
+{
+    struct random random = {seed};
+    prepare(n, 0);
+    memset(length, 0, n * sizeof *length);
+    for (uint32_t i = 0; i < n; i++)
+        length[random_bits(&random) % n]++;
+    for (uint32_t i = 0; i < n; i++)
+        longest = length[i] > longest ? length[i] : longest;
+    kit_given("%u tasks of 0 to %u steps", n, longest);
+}
+
+static void prepare_equal(uint32_t n, uint32_t steps, uint32_t most)
+{
+    prepare(n, most);
+    for (uint32_t i = 0; i < n; i++)
+        length[i] = steps;
+    kit_given("%u tasks of %u steps; longest is %u", n, steps, most);
+}
+
+// ---- checks --------------------------------------------------------
+
+static const char *tell_task(uint32_t task)
+{
+    return kit_text("task %u, which needs %u steps", task,
+                    length[task]);
+}
+
+static const char *missing_cause(uint32_t task)
+{
+    if (notes->steps == 0)
+        return "No step was done at all.";
+    if (notes->idle)
+        return "In the same lanes others worked who had finished: "
+               "which end of the order do the longest have?";
+    if (length[task] == longest)
+        return "It is one of the longest. There are as many steps as "
+               "the longest task needs.";
+    if (done[task] == 0)
+        return "It was in no lane. Are all tasks placed, those of the "
+               "same length side by side?";
+    return "It left too early: in step b, counted from 0, all tasks "
+           "longer than b are at work.";
+}
+
+static void run(void)
+{
+    uint32_t *order = kit_output("order", tasks, sizeof *order);
+    uint32_t *places =
+        kit_output("places", (size_t)longest + 1, sizeof *places);
+    done = kit_output("the steps", tasks, sizeof *done);
+    memset(done, 0, tasks * sizeof *done);
+    notes = kit_output("the notes", 1, sizeof *notes);
+    *notes = (struct notes){.most_steps = tasks * (longest + 2) + 9};
+    CALL(STUDENT(work_off)(tasks, length, longest, order, places));
+    if (notes->bad_lanes)
+        WRONG(.expected =
+                  kit_text("at most %u lanes, and an end", tasks),
+              .found = kit_text("step %u, with %u lanes",
+                                notes->steps + 1, notes->lanes),
+              .cause = "There cannot be more lanes at work than tasks, "
+                       "nor more steps than all tasks need together.");
+    if (notes->bad_task)
+        WRONG(.expected = kit_text("tasks 0 to %u", tasks - 1),
+              .found = kit_text("task %u in step %u", notes->task,
+                                notes->steps + 1),
+              .cause = "Nobody was placed there. The scan must give "
+                       "every task a place of its own, from 0 on.");
+    for (uint32_t i = 0; i < tasks; i++)
+        if (done[i] < length[i])
+            WRONG(.where = tell_task(i),
+                  .expected = kit_text("%u steps", length[i]),
+                  .found = kit_text("%u", done[i]),
+                  .cause = missing_cause(i));
+}
+
+static const char *idle_cause(void)
+{
+    if (notes->lanes == tasks)
+        return "There are as many lanes in the last step as in the "
+               "first. Let fewer work as tasks finish.";
+    if (length[notes->idle_task] == notes->idle_step)
+        return "In step b, counted from 0, only tasks longer than b "
+               "are at work. Those without any steps never are.";
+    return "Who has finished must not be in front of somebody who has "
+           "not: the longest first.";
+}
+
+static void check_idle(void)
+{
+    run();
+    if (notes->idle)
+        WRONG(.where = tell_task(notes->idle_task),
+              .expected = "no step after that",
+              .found =
+                  kit_text("at work in step %u", notes->idle_step + 1),
+              .cause = idle_cause());
+}
+
+static void check_steps(void)
+{
+    uint32_t needed = 0;
+    for (uint32_t i = 0; i < tasks; i++)
+        needed = length[i] > needed ? length[i] : needed;
+    run();
+    if (notes->steps > needed)
+        WRONG(.expected = kit_text("%u steps", needed),
+              .found = kit_text("%u", notes->steps),
+              .cause = notes->steps == longest
+                           ? "The longest task may be shorter than "
+                             "longest allows: a step of no lanes is a "
+                             "step."
+                           : "All tasks that have work left take a "
+                             "step together.");
+}
+
+// ---- tests ---------------------------------------------------------
+
+static void all_done(uint64_t seed)
+{
+    prepare_cells(500, seed);
+    run();
+    kit_next_case();
+    prepare_equal(50, 7, 7);
+    run();
+}
+
+static void nobody_idle(uint64_t seed)
+{
+    prepare_cells(500, seed);
+    check_idle();
+    kit_next_case();
+    prepare_equal(50, 7, 12);
+    check_idle();
+}
+
+static void steps(uint64_t seed)
+{
+    prepare_cells(500, seed);
+    check_steps();
+    kit_next_case();
+    prepare_equal(50, 7, 12);
+    check_steps();
+}
+
+static void order(uint64_t seed)
+{
+    prepare_cells(500, seed);
+    check_steps();
+    if (notes->disordered)
+        WRONG(.where = kit_text("tasks %u and %u, both of %u steps",
+                                notes->left, notes->right,
+                                length[notes->left]),
+              .expected = "the lower number in the lane before",
+              .found = "the higher one",
+              .cause = "Place the tasks from the first to the last, "
+                       "each at the front of what is left for its "
+                       "length.");
+}
+
+static void nothing(uint64_t seed)
+{
+    (void)seed;
+    prepare_equal(20, 0, 3);
+    check_idle();
+    check_steps();
+    kit_next_case();
+    prepare_equal(20, 0, 0);
+    check_idle();
+    check_steps();
+    kit_next_case();
+    prepare_equal(1, 1, 1);
+    check_idle();
+    check_steps();
+}
+
+const struct kit_test kit_tests[] = {
+    {"done", 3, "every task has its steps", all_done},
+    {"idle", 2, "nobody works who has finished", nobody_idle},
+    {"steps", 2, "all take their steps together", steps},
+    {"order", 2, "equally long ones stay in order", order},
+    {"nothing", 1, "where there is little or nothing to do", nothing},
+    {0},
+};

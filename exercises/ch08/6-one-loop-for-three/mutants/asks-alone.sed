@@ -1,0 +1,3 @@
+# Asks for one lane at a time.
+# expect: ask together
+s/^        next_cell(asking.n, .*/        for (uint32_t a = 0; a < asking.n; a++)\n            next_cell(1, asking.task + a, asking.visited + a, asking.cell + a);/

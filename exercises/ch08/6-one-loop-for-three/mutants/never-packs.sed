@@ -1,0 +1,3 @@
+# Never packs.
+# expect: goes on and on
+s/kept += lanes->place\[l\] < lanes->end\[l\]/kept++/

@@ -1,0 +1,3 @@
+# Does not count the cells.
+# expect: has visited one more
+/lanes->visited\[lane\]++/d

@@ -1,0 +1,3 @@
+# Lets one task measure at a time.
+# expect: all who have work left
+s/^        measure(lanes.n, lanes.task, lanes.place);/        for (uint32_t l = 0; l < lanes.n; l++)\n            measure(1, lanes.task + l, lanes.place + l);/

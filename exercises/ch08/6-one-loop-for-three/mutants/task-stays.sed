@@ -1,0 +1,3 @@
+# Packs places and leaves the tasks.
+# expect: do a lane's task, place and end stay together
+/lanes->task\[kept\] =/d

@@ -1,0 +1,5 @@
+# Goes one place beyond the cell.
+# expect: just behind a cell
+s/lanes->place\[l\] == lanes->end\[l\]/lanes->place[l] > lanes->end[l]/
+s/lanes.end\[l\] = 0;/lanes.end[l] = 0, lanes.place[l] = 1;/
+s/kept += lanes->place\[l\] </kept += lanes->place[l] <=/

@@ -1,0 +1,109 @@
+// All lanes measure in every step, wherever on its way each of them is.
+// Before a step, the lanes whose cells are exhausted ask for the next
+// one, together, and again, until their cells have points.
+#include "exercise.h"
+
+//- solution
+// A lane's task, the cells it has visited, the next of its places and
+// where they end.
+struct lanes {
+    uint32_t n;
+    uint32_t task[STRIP], visited[STRIP], place[STRIP], end[STRIP];
+};
+
+// Those who have to ask, and their lanes.
+struct asking {
+    uint32_t n;
+    uint32_t lane[STRIP], task[STRIP], visited[STRIP], cell[STRIP];
+};
+
+static void ask(struct asking *asking, const struct lanes *lanes,
+                uint32_t lane)
+{
+    asking->lane[asking->n] = lane;
+    asking->task[asking->n] = lanes->task[lane];
+    asking->visited[asking->n] = lanes->visited[lane];
+    asking->n++;
+}
+
+// Takes the answers to heart; who has met an empty cell asks again.
+static void go_on(struct asking *asking, struct lanes *lanes,
+                  const uint32_t *start)
+{
+    uint32_t n = asking->n;
+    asking->n = 0;
+    for (uint32_t a = 0; a < n; a++) {
+        uint32_t lane = asking->lane[a], cell = asking->cell[a];
+        if (cell == NOWHERE)
+            continue;
+        lanes->visited[lane]++;
+        lanes->place[lane] = start[cell];
+        lanes->end[lane] = start[cell + 1];
+        if (start[cell] == start[cell + 1])
+            ask(asking, lanes, lane);
+    }
+}
+
+static void refill(struct lanes *lanes, const uint32_t *start)
+{
+    struct asking asking = {.n = 0};
+    for (uint32_t l = 0; l < lanes->n; l++)
+        if (lanes->place[l] == lanes->end[l])
+            ask(&asking, lanes, l);
+    while (asking.n > 0) {
+        next_cell(asking.n, asking.task, asking.visited, asking.cell);
+        go_on(&asking, lanes, start);
+    }
+}
+
+// Who still has no place to go to has finished.
+static void pack(struct lanes *lanes)
+{
+    uint32_t kept = 0;
+    for (uint32_t l = 0; l < lanes->n; l++) {
+        lanes->task[kept] = lanes->task[l];
+        lanes->visited[kept] = lanes->visited[l];
+        lanes->place[kept] = lanes->place[l];
+        lanes->end[kept] = lanes->end[l];
+        kept += lanes->place[l] < lanes->end[l];
+    }
+    lanes->n = kept;
+}
+
+//- starter
+//- end
+void seek(uint32_t n, const uint32_t *start)
+{
+    //- solution
+    struct lanes lanes = {.n = n};
+    for (uint32_t l = 0; l < n; l++) {
+        lanes.task[l] = l;
+        lanes.visited[l] = lanes.place[l] = lanes.end[l] = 0;
+    }
+    for (;;) {
+        refill(&lanes, start);
+        pack(&lanes);
+        if (lanes.n == 0)
+            return;
+        measure(lanes.n, lanes.task, lanes.place);
+        for (uint32_t l = 0; l < lanes.n; l++)
+            lanes.place[l]++;
+    }
+    //- starter
+    // // Your turn: so far everybody goes to one cell, and meets the
+    // // first who is there.
+    // uint32_t task[STRIP] = {0}, visited[STRIP] = {0};
+    // uint32_t cell[STRIP] = {0}, lanes = 0;
+    // for (uint32_t l = 0; l < n; l++)
+    //     task[l] = l;
+    // next_cell(n, task, visited, cell);
+    // for (uint32_t l = 0; l < n; l++) {
+    //     uint32_t place = start[cell[l]];
+    //     if (place == start[cell[l] + 1])
+    //         continue;
+    //     task[lanes] = l;
+    //     cell[lanes++] = place;
+    // }
+    // measure(lanes, task, cell);
+    //- end
+}
