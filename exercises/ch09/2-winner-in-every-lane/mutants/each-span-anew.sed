@@ -1,0 +1,5 @@
+# Begins anew with each span.
+# expect: from one span to the next
+/for (uint32_t s = 0/s/$/ {/
+/keep_nearest(&best, &met/s/$/ }/
+/for (uint32_t s = 0/s/$/ for (int l = 0; l < LANES; l++) best.distance2[l] = INFINITY;/

@@ -1,0 +1,3 @@
+# Keeps the distance and not the index.
+# expect: kept or replaced together
+/best->index\[l\] = better/s/best->index\[l\] = better ? j : /best->index[l] = best->distance2[l] == d2 \&\& best->index[l] == NOBODY ? j : /

@@ -1,0 +1,4 @@
+# Looks at one lane in the end.
+# expect: do all take part in the end
+s/for (int l = 0; l < LANES; l++) {$/&/
+/nearest_lane(const/,/^}/s/l < LANES/l < 1/

@@ -1,0 +1,3 @@
+# Keeps spans without points.
+# expect: need not be a span
+/if (begin == end)/,+1d

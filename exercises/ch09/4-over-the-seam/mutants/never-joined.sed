@@ -1,0 +1,3 @@
+# Never joins two spans.
+# expect: first of the next: make one
+s/n > 0 && spans\[n - 1\].end == begin/begin > end/

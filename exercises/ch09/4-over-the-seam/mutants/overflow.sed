@@ -1,0 +1,3 @@
+# Doubles the reach.
+# expect: An index
+s|reach >= count / 2|2 * reach + 1 >= count|

@@ -1,0 +1,4 @@
+# Lets columns wrap around, but not rows.
+# expect: the last row is beside the first
+s/uint32_t ny = .*/uint32_t ny = 1;/
+/^    uint32_t ny/s/$/\n    y[0].first = row < reach ? 0 : row - reach;\n    y[0].last = grid->rows - 1 - row < reach ? grid->rows - 1 : row + reach;/
