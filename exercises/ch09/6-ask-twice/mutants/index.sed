@@ -1,0 +1,3 @@
+# Gives an index for a place.
+# expect: not the distance of that point
+s/exact(s)/exact(j)/

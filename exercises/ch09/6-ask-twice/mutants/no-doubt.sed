@@ -1,0 +1,4 @@
+# Asks only the smallest again.
+# expect: Both may be wrong
+s/ + 0x1p-22//
+s/double limit = /double limit = (1 + 0x1p-30) * /

@@ -1,0 +1,3 @@
+# Takes the first of those that tie.
+# expect: These tie
+s/(d2 == found.nearest2 \&\&/(0 \&\&/
