@@ -187,28 +187,34 @@ static void check_fewest(void)
 
 static uint32_t room; // for the spans of a block
 
-// All homes that are at least so far from the edges, one after another.
-static bool next_home(uint32_t from_edge)
+// All homes that are at least so many columns and rows from the edges,
+// one after another.
+static struct margin {
+    uint32_t columns, rows;
+} margin;
+
+static void first_home(void)
 {
-    if (++column + from_edge < grid.columns)
+    column = margin.columns;
+    row = margin.rows;
+}
+
+static bool next_home(void)
+{
+    if (++column + margin.columns < grid.columns)
         return true;
-    column = from_edge;
-    return ++row + from_edge < grid.rows;
+    column = margin.columns;
+    return ++row + margin.rows < grid.rows;
 }
 
-static void first_home(uint32_t from_edge)
+static void ask_for_all(void)
 {
-    column = row = from_edge;
-}
-
-static void ask_for_all(uint32_t from_edge)
-{
-    first_home(from_edge);
+    first_home();
     do {
         *found++ =
             STUDENT(block_spans)(&grid, column, row, reach, spans);
         spans += room;
-    } while (next_home(from_edge));
+    } while (next_home());
 }
 
 static void check_room(void)
@@ -220,16 +226,17 @@ static void check_room(void)
               .cause = "Each row of the block is one span, or two.");
 }
 
-static void check_all(uint32_t r, uint32_t from_edge, bool fewest)
+static void check_all(uint32_t r, struct margin m, bool fewest)
 {
     reach = r;
+    margin = m;
     room = 2 * (r < grid.rows / 2 ? 2 * r + 1 : grid.rows);
     uint32_t homes =
-        (grid.columns - 2 * from_edge) * (grid.rows - 2 * from_edge);
+        (grid.columns - 2 * m.columns) * (grid.rows - 2 * m.rows);
     spans = kit_output("spans", (size_t)homes * room, sizeof *spans);
     found = kit_output("how many", homes, sizeof *found);
-    CALL(ask_for_all(from_edge));
-    first_home(from_edge);
+    CALL(ask_for_all());
+    first_home();
     do {
         check_room();
         check_places();
@@ -237,48 +244,55 @@ static void check_all(uint32_t r, uint32_t from_edge, bool fewest)
             check_fewest();
         spans += room;
         found++;
-    } while (next_home(from_edge));
+    } while (next_home());
 }
 
 // ---- tests ---------------------------------------------------------
 
+static const struct margin none;
+
 static void inside(uint64_t seed)
 {
     lay(8, 7, 1, 3, seed);
-    check_all(1, 2, true);
+    check_all(1, (struct margin){2, 1}, true);
     kit_next_case();
     lay(8, 7, 0, 2, seed);
-    check_all(2, 2, false);
+    check_all(2, (struct margin){2, 2}, false);
 }
 
 static void seam(uint64_t seed)
 {
     lay(6, 5, 1, 2, seed);
-    check_all(1, 0, false);
+    check_all(1, (struct margin){0, 2}, false);
+    check_all(1, (struct margin){2, 0}, false);
+    check_all(1, none, false);
     kit_next_case();
     lay(7, 6, 0, 1, seed);
-    check_all(2, 0, false);
+    check_all(2, none, false);
 }
 
 static void fewest(uint64_t seed)
 {
     lay(6, 5, 1, 2, seed);
-    check_all(1, 0, true);
+    check_all(1, none, true);
     kit_next_case();
     lay(7, 6, 0, 1, seed);
-    check_all(2, 0, true);
+    check_all(2, none, true);
     kit_next_case();
     lay(9, 9, 0, 1, seed);
-    check_all(3, 0, true);
+    check_all(3, none, true);
 }
 
 static void small(uint64_t seed)
 {
     static const uint32_t reaches[] = {0, 1, 2, 3, 0x80000000};
+    lay(4, 4, 1, 2, seed);
+    check_all(2, none, true);
+    kit_next_case();
     for (uint32_t k = 0; k < 16; k++)
         for (int r = 0; r < 5; r++) {
             lay(1 + k % 4, 1 + k / 4, 0, 2, seed);
-            check_all(reaches[r], 0, true);
+            check_all(reaches[r], none, true);
             kit_next_case();
         }
 }

@@ -241,19 +241,12 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
         return "These tie, and the other one has the lower index.";
     if (note->asked[right] > 0)
         return "It was asked again, and then forgotten.";
-    double ahead = single(q, right) - least_single(q);
-    if (ahead > 0.5 * unit && ahead < least_single(q) * 0x1p-10)
-        return kit_text("It was not asked again, because in single "
-                        "precision another one is nearer, by %.2f of "
-                        "2^-24. Both may be wrong, and in opposite "
-                        "directions.",
-                        ahead / unit);
     return kit_text("It was not asked again, because in single "
                     "precision another one is nearer, by %.2f of "
-                    "2^-24. Rounded coordinates make the same error "
-                    "at any distance: a bound that is a part of the "
-                    "distance is too small for near points.",
-                    ahead / unit);
+                    "2^-24. Both may be wrong, in opposite directions, "
+                    "and at any distance: what was rounded are the "
+                    "coordinates.",
+                    (single(q, right) - least_single(q)) / unit);
 }
 
 static void ask_all(float *scratch)

@@ -1,4 +1,4 @@
 # Asks only the smallest again.
-# expect: Both may be wrong
+# expect: Both may be wrong, in opposite directions
 s/ + 0x1p-22//
 s/double limit = /double limit = (1 + 0x1p-30) * /

@@ -1,3 +1,3 @@
 # Takes a part of the distance for the bound.
-# expect: too small for near points
+# expect: and at any distance
 s/sqrt(least2) + 0x1p-22/sqrt(least2) * (1 + 0x1p-19)/
