@@ -88,8 +88,7 @@ static void prepare_equal(uint32_t n, uint32_t steps, uint32_t most)
 
 static const char *tell_task(uint32_t task)
 {
-    return kit_text("task %u, which needs %u steps", task,
-                    length[task]);
+    return kit_text("task %u, of length %u", task, length[task]);
 }
 
 static const char *missing_cause(uint32_t task)

@@ -291,9 +291,10 @@ static const char *missing_cause(uint32_t task)
     if (known > 0 && count_of(ways[task].cell[known - 1]) == 0)
         return "An empty cell is not the end of the way. Who meets one "
                "asks again.";
-    return kit_text("It never asked what comes after %u of its cells. "
-                    "Go on until the answer is NOWHERE.",
-                    known);
+    return kit_text(
+        "It never asked what comes after cell %u of its way. "
+        "Go on until the answer is NOWHERE.",
+        known);
 }
 
 static uint32_t way_position(uint32_t task, uint32_t place)

@@ -95,19 +95,16 @@ static void shuffle(struct question *q, uint32_t values,
     }
 }
 
-// The one who asks is in one of the spans, unless that is empty; and
-// so is the nearest of all.
+// The one who asks is in one of the spans, and so is the nearest.
 static void seat(struct question *q, struct random *random)
 {
     const struct span *home = &q->span[random_bits(random) % q->spans];
-    if (home->begin == home->end) {
-        q->self = NOBODY - 1;
-    } else {
-        uint32_t length = home->end - home->begin;
-        uint32_t place = home->begin + random_bits(random) % length;
-        q->self = q->index[place];
-        q->distance2[place] = 0;
-    }
+    if (home->begin == home->end)
+        home = &q->span[0];
+    uint32_t length = home->end - home->begin;
+    uint32_t place = home->begin + random_bits(random) % length;
+    q->self = q->index[place];
+    q->distance2[place] = 0;
     uint32_t best = winner(q, 0, q->n, q->self);
     if (best == q->n || in_spans(q, best))
         return;
@@ -119,7 +116,8 @@ static void seat(struct question *q, struct random *random)
     q->n = q->spans = 1; // nobody else there: be alone in the world
 }
 
-// Cuts n places into spans and gaps; the last span may end with them.
+// Cuts n places into spans and gaps. The first span is not empty, the
+// last one may end where the points end.
 static void cut(struct question *q, uint32_t unit,
                 struct random *random)
 {

@@ -105,8 +105,9 @@ static const char *missing_cause(uint32_t place)
     if (abs((int)(cell / grid.columns) - (int)row) > (int)reach)
         return "It is beyond the seam: the last row is beside the "
                "first.";
-    return "A stretch of columns has all cells from its first to its "
-           "last. Its places end where the next cell's begin.";
+    return "A block has all cells from its first column to its last, "
+           "in each of its rows. Their places end where the next "
+           "cell's begin.";
 }
 
 static void check_places(void)

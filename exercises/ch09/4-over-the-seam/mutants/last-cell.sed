@@ -1,3 +1,3 @@
 # Leaves out the last cell of a stretch.
-# expect: Its places end where
+# expect: Their places end where
 s/last + 1\]/last]/;s/places end/&/
