@@ -219,8 +219,8 @@ static void collisions_of_equal_points(void)
     groups_free(&groups);
 }
 
-// About c (L - 1) / 2 losers in all. A few, where groups are short: so
-// over many sets of points.
+// About c (L - 1) / 2 losers in all, however many points. A few, where
+// groups are short: so over many sets of points.
 static uint64_t losers_of_uniform_points(uint32_t n, double c,
                                          uint32_t lanes, uint64_t seed,
                                          double *per_cell)
@@ -252,7 +252,7 @@ static void collisions_as_predicted(void)
         int sets = 4096 / lanes;
         test_seed(lanes);
         for (int set = 0; set < sets; set++)
-            sum += losers_of_uniform_points(100000, 2, lanes,
+            sum += losers_of_uniform_points(20000, 2, lanes,
                                             lanes + set, &per_cell);
         double expected = per_cell * (lanes - 1) / 2;
         CHECK_NEAR(expected, sum / sets, 0.1 * expected,
