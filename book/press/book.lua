@@ -73,6 +73,16 @@ local function answers_to(chapter)
   return result
 end
 
+-- A title of class "listings" opens pages that are made for programs.
+local function made_for_listings(title, path)
+  for _, class in ipairs(title.classes) do
+    if class ~= "listings" then
+      faults.add(path, 1, 'the class "%s" is unknown for a chapter', class)
+    end
+  end
+  return title.classes[1] == "listings"
+end
+
 -- A chapter's blocks: its text, the answers, the exercises. The first
 -- line of its file is its title.
 local function read_chapter(path, chapter, exercise_list)
@@ -99,6 +109,10 @@ local function read_chapter(path, chapter, exercise_list)
     blocks:extend(exercises_of(chapter, exercise_list))
   end
   blocks:insert(raw_block("\\closechapter{%s}", chapter.id))
+  if made_for_listings(title, path) then
+    blocks:insert(1, raw_block("\\openlistings"))
+    blocks:insert(raw_block("\\closelistings"))
+  end
   return blocks
 end
 
