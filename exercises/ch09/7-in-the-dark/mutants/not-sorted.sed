@@ -1,0 +1,3 @@
+# Leaves the merged ones as they are.
+# expect: but not in order
+s/for (uint32_t q = k \/ 2; q >= 1; q \/= 2)/for (uint32_t q = k \/ 2; q > 1; q \/= 2)/

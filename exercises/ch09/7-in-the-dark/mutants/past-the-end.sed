@@ -1,0 +1,3 @@
+# Takes the last group whole.
+# expect: An index
+s/next + k <= n/next < n/

@@ -1,0 +1,3 @@
+# Forgets who has to leave.
+# expect: kept more than once
+/^static void insert/,/^}/s/exchange(&kept\[i\], &key)/kept[i] = least(kept[i], key)/
