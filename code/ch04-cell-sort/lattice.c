@@ -52,17 +52,30 @@ static void set_free(struct set *s)
     points_free(&s->question.points);
 }
 
+static void print_set(const char *name, struct set *s,
+                      const struct trial versions[2])
+{
+    const uint32_t n = s->question.points.n;
+    counting_take();
+    counting_search_sorted(&s->question, &s->sorted, &s->answers);
+    struct counts counts = counting_take();
+    printf("%s\t%u\t%.4g\t%.4g", name, n, (double)counts.cells / n,
+           (double)counts.distances / n);
+    print_summary(&versions[0].summary, n);
+    print_summary(&versions[1].summary, n);
+    puts("");
+}
+
 int main(int argc, char **argv)
 {
     static const char *const names[SETS] = {"uniform", "lattice"};
     fail_as("lattice", NULL);
     uint32_t side = argument(argc, argv, 1, "SIDE", 320, 2, 30000);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
-    uint32_t n = side * side;
     struct set sets[SETS];
     struct trial versions[2 * SETS];
     for (int s = 0; s < SETS; s++) {
-        sets[s] = make_set(names[s], n);
+        sets[s] = make_set(names[s], side * side);
         versions[2 * s] =
             (struct trial){.work = one_by_one, .context = &sets[s]};
         versions[2 * s + 1] =
@@ -73,15 +86,7 @@ int main(int argc, char **argv)
     puts("name\tn\tcells\tdistances\tsorted\tsorted_q1\tsorted_q3"
          "\ttogether\ttogether_q1\ttogether_q3");
     for (int s = 0; s < SETS; s++) {
-        counting_take();
-        counting_search_sorted(&sets[s].question, &sets[s].sorted,
-                               &sets[s].answers);
-        struct counts counts = counting_take();
-        printf("%s\t%u\t%.4g\t%.4g", names[s], n,
-               (double)counts.cells / n, (double)counts.distances / n);
-        print_summary(&versions[2 * s].summary, n);
-        print_summary(&versions[2 * s + 1].summary, n);
-        puts("");
+        print_set(names[s], &sets[s], &versions[2 * s]);
         set_free(&sets[s]);
     }
     return 0;

@@ -10,6 +10,22 @@
 #include "common/report.h"
 #include <stdio.h>
 
+static void print_cells(const struct grid *grid, const uint32_t *start)
+{
+    const double *x = grid->x.border, *y = grid->y.border;
+    const uint32_t columns = grid->x.count, rows = grid->y.count;
+    for (uint32_t k = 0; k < columns * rows; k++) {
+        uint32_t column = k % columns, row = k / columns;
+        printf("cell\t%u\t0\t%.6f\t%.6f\t%u\t%u\n", k,
+               (x[column] + x[column + 1]) / 2,
+               (y[row] + y[row + 1]) / 2, k, start[k]);
+    }
+    for (uint32_t k = 0; k <= columns; k++)
+        printf("column\t%u\t0\t%.6f\t0\t0\t0\n", k, x[k]);
+    for (uint32_t k = 0; k <= rows; k++)
+        printf("row\t%u\t0\t0\t%.6f\t0\t0\n", k, y[k]);
+}
+
 int main(void)
 {
     enum { POINTS = 24 };
@@ -26,19 +42,7 @@ int main(void)
         printf("point\t%u\t%u\t%.6f\t%.6f\t%u\t%u\n", s, i, p.x[i],
                p.y[i], k, cells.start[k]);
     }
-    for (uint32_t k = 0; k < grid_cells(&grid); k++)
-        printf("cell\t%u\t%u\t%.6f\t%.6f\t%u\t%u\n", k, 0,
-               (grid.x.border[k % grid.x.count] +
-                grid.x.border[k % grid.x.count + 1]) /
-                   2,
-               (grid.y.border[k / grid.x.count] +
-                grid.y.border[k / grid.x.count + 1]) /
-                   2,
-               k, cells.start[k]);
-    for (uint32_t k = 0; k <= grid.x.count; k++)
-        printf("column\t%u\t0\t%.6f\t0\t0\t0\n", k, grid.x.border[k]);
-    for (uint32_t k = 0; k <= grid.y.count; k++)
-        printf("row\t%u\t0\t0\t%.6f\t0\t0\n", k, grid.y.border[k]);
+    print_cells(&grid, cells.start);
     cells_free(&cells);
     grid_free(&grid);
     points_free(&question.points);

@@ -1,9 +1,10 @@
 //> Time the sorts
-//     sorts POINTS TRIALS KIND...
-// Sorts points of every kind named by cell, with counts that threads
-// share and counts of their own, on one thread and on all processors.
-// The kind "memory" shows what the machine needs for as much memory as
-// the sort by bands writes: to get it, and to copy it.
+//     sorts [POINTS [TRIALS [KIND...]]]
+// Sorts points of every kind named, or uniform ones, by cell, with
+// counts that threads share and counts of their own, on one thread and
+// on all processors. The kind "memory" shows what the machine needs for
+// as much memory as the sort by bands writes: to get it, and to copy
+// it.
 #include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/sorted.h"
 #include "ch05-collisions/bands.h"
@@ -21,19 +22,20 @@
 //> Name the sorts
 static const struct {
     const char *name;
-    cell_sort *sort;
+    cell_sort *sort, *before; // the sort that has run just before
 } sorts[] = {
-    {"serial", cells_sort_alone},
-    {"atomic", cells_sort_atomic},
-    {"private", cells_sort_private},
-    {"bands", cells_sort_threads},
+    {"serial", cells_sort_alone, cells_sort_alone},
+    {"atomic", cells_sort_atomic, cells_sort_atomic},
+    {"private", cells_sort_private, cells_sort_private},
+    {"bands", cells_sort_threads, cells_sort_threads},
+    {"bands_after_serial", cells_sort_threads, cells_sort_alone},
 };
 enum { SORTS = sizeof sorts / sizeof *sorts };
 //<
 
 //> Time a sort
 struct sorting {
-    cell_sort *sort;
+    cell_sort *sort, *before;
     const struct grid *grid;
     struct points points;
     int threads;
@@ -43,6 +45,13 @@ static void run_sort(void *context)
 {
     struct sorting *s = context;
     struct cells cells = s->sort(s->grid, s->points, s->threads);
+    cells_free(&cells);
+}
+
+static void run_before(void *context)
+{
+    struct sorting *s = context;
+    struct cells cells = s->before(s->grid, s->points, s->threads);
     cells_free(&cells);
 }
 //<
@@ -113,7 +122,8 @@ static uint32_t moved(const struct sorting *s)
 //> Time one kind of points
 // A sort that follows another, of other sizes, may get memory that the
 // system must first find and clear. So each runs once before it is
-// timed, and finds what it has itself just given back.
+// timed, and finds what it has itself just given back; but the last one
+// follows another, to show what that costs.
 static void print_trials(const char *kind, const char *name,
                          const struct trial trials[2], uint32_t n,
                          uint32_t moved)
@@ -134,10 +144,11 @@ static void time_kind(const char *kind, uint32_t n, int count)
     struct sorting sorting[2 * SORTS];
     struct trial trials[2 * SORTS];
     for (int k = 0; k < 2 * SORTS; k++) {
-        sorting[k] = (struct sorting){sorts[k / 2].sort, &grid, points,
-                                      k % 2 ? omp_get_num_procs() : 1};
+        sorting[k] = (struct sorting){
+            sorts[k / 2].sort, sorts[k / 2].before, &grid, points,
+            k % 2 ? omp_get_num_procs() : 1};
         trials[k] = (struct trial){.work = run_sort,
-                                   .prepare = run_sort,
+                                   .prepare = run_before,
                                    .context = &sorting[k]};
     }
     time_in_turn(count, trials, 2 * SORTS);
@@ -181,20 +192,23 @@ static bool is_memory(const char *kind)
 
 int main(int argc, char **argv)
 {
+    char *uniform[] = {"uniform"};
     fail_as("sorts", NULL);
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
-    for (int k = 3; k < argc; k++)
-        if (!is_memory(argv[k]) && !find_distribution(argv[k]))
-            fail("KIND: there are no points called %s", argv[k]);
+    char **kinds = argc > 3 ? argv + 3 : uniform;
+    int many = argc > 3 ? argc - 3 : 1;
+    for (int k = 0; k < many; k++)
+        if (!is_memory(kinds[k]) && !find_distribution(kinds[k]))
+            fail("KIND: there are no points called %s", kinds[k]);
     report_provenance(stdout);
-    puts("name\tn\tthreads\tone\tone_q1\tone_q3\tall\tall_q1\tall_"
-         "q3\tmoved");
-    for (int k = 3; k < argc; k++)
-        if (is_memory(argv[k]))
+    puts("name\tn\tthreads\tone\tone_q1\tone_q3"
+         "\tall\tall_q1\tall_q3\tmoved");
+    for (int k = 0; k < many; k++)
+        if (is_memory(kinds[k]))
             time_memory(n, count);
         else
-            time_kind(argv[k], n, count);
+            time_kind(kinds[k], n, count);
     return 0;
 }
 //<

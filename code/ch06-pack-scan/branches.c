@@ -48,6 +48,15 @@ static void fill(struct packing *packing, int percent)
 }
 //<
 
+static void print_versions(int percent, const struct trial *versions,
+                           int count, uint32_t n)
+{
+    printf("kept_%d\t%d", percent, percent);
+    for (int v = 0; v < count; v++)
+        print_summary(&versions[v].summary, n);
+    puts("");
+}
+
 int main(int argc, char **argv)
 {
     fail_as("branches", NULL);
@@ -74,10 +83,7 @@ int main(int argc, char **argv)
     for (int percent = 0; percent <= 100; percent += 5) {
         fill(&packing, percent);
         time_in_turn(trials, versions, VERSIONS);
-        printf("kept_%d\t%d", percent, percent);
-        for (int v = 0; v < VERSIONS; v++)
-            print_summary(&versions[v].summary, n);
-        puts("");
+        print_versions(percent, versions, VERSIONS, n);
     }
     free(packing.to);
     free(packing.from);
