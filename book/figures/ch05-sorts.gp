@@ -11,7 +11,7 @@ set ylabel "ns a point"
 set yrange [0:*]
 set bmargin 3
 set key top right
-set xtics ("serial" 0, "atomic" 1, "private" 2, "bands" 3, "bands after\nserial" 4, "small\npages" 5, "large\npages" 6, "copy" 7)
+set xtics ("serial" 0, "atomic" 1, "private" 2, "bands" 3, "after\nserial" 4, "small\npages" 5, "large\npages" 6, "copy" 7)
 # Chapter 4's sort has only one thread.
 all(k) = strcol(1)[1:14] eq "uniform_serial" ? NaN : column(k)
 plot table using "one" lt 1 fs solid 0.35 title "one thread", \

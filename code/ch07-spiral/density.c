@@ -1,6 +1,6 @@
 //> Vary the points in a cell
-// Distances and cells a point, counted and expected, and the time of a
-// search.
+// Distances and cells a point, counted and expected, and the time of
+// sort and search, with the points asking in the order of the cells.
 //
 //     density [POINTS [TRIALS]]
 #include "ch02-all-pairs/timing.h"
@@ -38,7 +38,8 @@ static void sort_and_search(void *context)
     struct timed *timed = context;
     struct grid grid = grid_fit(timed->question, timed->c);
     struct cells cells = cells_sort(&grid, timed->question->points);
-    search_spiral(timed->question, &grid, &cells, NULL, timed->answers);
+    search_spiral(timed->question, &grid, &cells, cells.point,
+                  timed->answers);
     cells_free(&cells);
     grid_free(&grid);
 }

@@ -363,7 +363,6 @@ const struct kit_test kit_tests[] = {
      from_outside},
     {"ties", 2, "ties, and strangers on borders", ties},
     {"once", 2, "no cell is looked at twice", once},
-    {"square", 2, "the layers of phase one, then only the square",
-     square},
+    {"square", 2, "layers of phase one, then the square", square},
     {0},
 };
