@@ -17,7 +17,7 @@ plot expected using "c":"distances" with lines lt 1 title "expected", \
      counted using "c":"distances" with points lt 1 pt 6 ps 0.9 title "counted", \
      expected using "c":"one_more" with lines lt 2 title "one layer more, expected", \
      rules using "c":(rule("one_more")) with points lt 2 title "one layer more, counted", \
-     rules using "c":(rule("d_layers")) with points lt 4 pt 8 title "D layers, D to the first", \
+     rules using "c":(rule("d_layers")) with points lt 4 pt 12 title "D layers, D to the first", \
      rules using "c":(rule("whole_layers")) with points lt 3 title "whole layers, as far as D", \
      expected using "c":"printed" with lines lt 6 title "the formula as printed", \
      "+" using (1):(17) every ::0::0 with points pt 3 ps 1.2 lc rgb "black" title "Su's 17"

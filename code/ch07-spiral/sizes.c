@@ -96,8 +96,8 @@ int main(int argc, char **argv)
                columns[k], columns[k], columns[k], columns[k]);
     puts("\tl2_points\tl3_points");
     for (uint64_t n = 1000; n <= most; n *= 10)
-        for (int third = 0; third < 2; third++) {
-            uint64_t points = third ? 3 * n : n;
+        for (int times = 1; times <= 3; times += 2) {
+            uint64_t points = times * n;
             if (points <= most)
                 print_size(points, points > LOTS && sets > 3 ? 3 : sets,
                            &samples);
