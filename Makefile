@@ -83,7 +83,8 @@ $(BUILD)/counting/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 
 # The counting twin keeps its own names to itself.
-twin := counting_algorithms counting_take counting_search_sorted
+twin := counting_algorithms counting_take counting_search_sorted \
+	counting_search_row_spans
 $(BUILD)/counting.o: $(counting)
 	$(call say,link)
 ifeq ($(shell uname),Darwin)

@@ -74,10 +74,10 @@ INLINED bool row_is_far(const enum geometry geometry,
 //<
 
 //> Ask alone
-INLINED void ask_alone(const enum geometry geometry,
-                       meet_function *meet, const bool skip,
-                       struct space space, const struct sorted *sorted,
-                       uint32_t s, struct answers *answers)
+INLINED struct single ask_alone(const enum geometry geometry,
+                                meet_function *meet, const bool skip,
+                                struct space space,
+                                const struct sorted *sorted, uint32_t s)
 {
     const struct grid *grid = &sorted->grid;
     struct single single = {sorted->points.x[s], sorted->points.y[s],
@@ -102,8 +102,7 @@ INLINED void ask_alone(const enum geometry geometry,
             break;
     }
     COUNT(tasks, 1);
-    answers->nearest[single.self] = single.nearest;
-    answers->nearest2[single.self] = single.best2;
+    return single;
 }
 //<
 //<

@@ -64,14 +64,13 @@ INLINED void meet(const enum geometry geometry, struct space space,
 
 void portable_spans(const struct question *question,
                     const struct sorted *sorted, enum manner manner,
-                    uint32_t begin, uint32_t end,
-                    struct answers *answers)
+                    uint32_t begin, uint32_t end, struct answers *found)
 {
     if (question->space.geometry == STANDARD)
         go(STANDARD, stage, sift, meet, question->space, sorted, manner,
-           begin, end, answers);
+           begin, end, found);
     else
         go(WRAPAROUND, stage, sift, meet, question->space, sorted,
-           manner, begin, end, answers);
+           manner, begin, end, found);
 }
 //<

@@ -7,10 +7,12 @@
 #include "ch09-row-spans/portable_spans.h"
 #include "common/clock.h"
 #include "common/isa.h"
+#include <assert.h>
 
-// Sorted points to be answered for by a thread at a time: half a cell,
-// if it is crowded.
-enum { POINTS_PER_TURN = 1024 };
+#ifdef COUNTING
+#define search_row_spans counting_search_row_spans
+#define search_in_turns counting_search_in_turns
+#endif
 
 //> Choose the instruction set of the search
 static span_search *search_for(enum isa isa)
@@ -26,25 +28,52 @@ static span_search *search_for(enum isa isa)
 }
 //<
 
-//> Share out the sorted points
+//> Take a turn
+// The answers are found in the order of the cells, and then carried to
+// their places in the order of the input, all in one go.
+static void take_turn(span_search *search,
+                      const struct question *question,
+                      const struct sorted *sorted, enum manner manner,
+                      uint32_t begin, uint32_t end,
+                      struct answers *answers)
+{
+    uint32_t nearest[LONGEST_TURN];
+    double nearest2[LONGEST_TURN];
+    struct answers found = {.nearest = nearest, .nearest2 = nearest2};
+    const uint32_t *point = sorted->cells.point;
+    search(question, sorted, manner, begin, end, &found);
+    for (uint32_t s = begin; s < end; s++) {
+        answers->nearest[point[s]] = nearest[s - begin];
+        answers->nearest2[point[s]] = nearest2[s - begin];
+    }
+}
+//<
+
+//> Take turns
+// A crowded cell is many turns, for all threads.
+void search_in_turns(const struct question *question,
+                     const struct sorted *sorted, enum manner manner,
+                     uint32_t length, struct answers *answers)
+{
+    assert(length <= LONGEST_TURN && "a turn keeps its answers");
+    span_search *search = search_for(isa_chosen());
+    const uint32_t n = sorted->points.n, turns = (n - 1) / length + 1;
+#pragma omp parallel for num_threads(question->threads) \
+    schedule(dynamic)
+    for (uint32_t turn = 0; turn < turns; turn++) {
+        uint32_t begin = turn * length, left = n - begin;
+        take_turn(search, question, sorted, manner, begin,
+                  begin + (left < length ? left : length), answers);
+    }
+}
+//<
+
 void search_row_spans(const struct question *question,
                       const struct sorted *sorted, enum manner manner,
                       struct answers *answers)
 {
-    span_search *search = search_for(isa_chosen());
-    const uint32_t n = sorted->points.n;
-    const uint32_t turns = (n - 1) / POINTS_PER_TURN + 1;
-#pragma omp parallel for num_threads(question->threads) \
-    schedule(dynamic)
-    for (uint32_t turn = 0; turn < turns; turn++) {
-        uint32_t begin = turn * POINTS_PER_TURN, rest = n - begin;
-        search(question, sorted, manner, begin,
-               begin +
-                   (rest < POINTS_PER_TURN ? rest : POINTS_PER_TURN),
-               answers);
-    }
+    search_in_turns(question, sorted, manner, LONGEST_TURN, answers);
 }
-//<
 
 void row_spans(const struct question *question, struct answers *answers)
 {

@@ -6,7 +6,7 @@
 // it finds out for each of the eight who is nearest and whether, with
 // all rounding, nobody else can be. His distance is then computed in
 // double precision. Those for whom that does not settle it ask alone.
-// About 9 c + 24 distances for eight points, c points in a cell;
+// About 9 c + 22 distances a point, c points in a cell;
 // threads share out the points.
 #pragma once
 #include "ch09-row-spans/manners.h"
@@ -20,6 +20,20 @@
 void search_row_spans(const struct question *question,
                       const struct sorted *sorted, enum manner manner,
                       struct answers *answers);
+
+// The same with turns of another length, at most LONGEST_TURN: so many
+// answers are kept before they are carried to their places.
+enum { LONGEST_TURN = 1024 };
+void search_in_turns(const struct question *question,
+                     const struct sorted *sorted, enum manner manner,
+                     uint32_t length, struct answers *answers);
+
+// The first's counting twin, for whoever sorts in a way of his own:
+// take the counts with counting_take.
+void counting_search_row_spans(const struct question *question,
+                               const struct sorted *sorted,
+                               enum manner manner,
+                               struct answers *answers);
 
 // The row of the table: sorts, carrying the points, and searches.
 void row_spans(const struct question *question,

@@ -55,6 +55,7 @@ typedef void sift_function(const struct table *table,
 struct tile {
     uint32_t begin, row; // of the sorted points; of the grid
     uint32_t width;      // who ask: as many from begin on
+    uint32_t first;      // whose answer comes first
     struct block block;
     double x, y;  // the origin of its table
     double reach; // no candidate is further from it, on either axis
@@ -216,12 +217,19 @@ INLINED void find_margins(const enum geometry geometry,
 }
 //<
 
+static inline void put(struct answers *found, uint32_t k,
+                       uint32_t nearest, double nearest2)
+{
+    found->nearest[k] = nearest;
+    found->nearest2[k] = nearest2;
+}
+
 //> Answer those who are sure
 // The rest ask alone.
 INLINED void answer(const enum geometry geometry, meet_function *meet,
                     struct space space, const struct sorted *sorted,
                     const struct tile *tile, const struct table *table,
-                    const struct sieve *sieve, struct answers *answers)
+                    const struct sieve *sieve, struct answers *found)
 {
     const double *x = sorted->points.x, *y = sorted->points.y;
     const uint32_t *point = sorted->cells.point;
@@ -236,10 +244,11 @@ INLINED void answer(const enum geometry geometry, meet_function *meet,
         bool sure = sieve->second[lane] >
                     sieve->best[lane] * (1 + 0x1p-12f) + slack;
         if (sure && near2 < margin2[lane]) {
-            answers->nearest[point[s]] = point[t];
-            answers->nearest2[point[s]] = near2;
+            put(found, s - tile->first, point[t], near2);
         } else {
-            ask_alone(geometry, meet, true, space, sorted, s, answers);
+            struct single single =
+                ask_alone(geometry, meet, true, space, sorted, s);
+            put(found, s - tile->first, single.nearest, single.best2);
         }
     }
 }
@@ -251,7 +260,7 @@ INLINED void ask_together(const enum geometry geometry,
                           stage_function *stage, sift_function *sift,
                           meet_function *meet, struct space space,
                           const struct sorted *sorted,
-                          struct tile *tile, struct answers *answers)
+                          struct tile *tile, struct answers *found)
 {
     const struct grid *grid = &sorted->grid;
     const double *x = sorted->points.x + tile->begin;
@@ -266,8 +275,7 @@ INLINED void ask_together(const enum geometry geometry,
     } else {
         table.place[0] = tile->begin;
     }
-    answer(geometry, meet, space, sorted, tile, &table, &sieve,
-           answers);
+    answer(geometry, meet, space, sorted, tile, &table, &sieve, found);
 }
 //<
 
@@ -277,13 +285,14 @@ INLINED void go_along(const enum geometry geometry,
                       stage_function *stage, sift_function *sift,
                       meet_function *meet, struct space space,
                       const struct sorted *sorted, uint32_t begin,
-                      uint32_t end, struct answers *answers)
+                      uint32_t end, struct answers *found)
 {
     const struct grid *grid = &sorted->grid;
     const uint32_t *start = sorted->cells.start;
     const uint32_t columns = grid->x.count;
     struct tile tile = {
         .begin = begin,
+        .first = begin,
         .row = axis_cell(&grid->y, sorted->points.y[begin])};
     for (; tile.begin < end; tile.begin += tile.width) {
         while (start[(tile.row + 1) * columns] <= tile.begin)
@@ -292,7 +301,7 @@ INLINED void go_along(const enum geometry geometry,
         tile.width = (stop < end ? stop : end) - tile.begin;
         tile.width = tile.width < ASKING ? tile.width : ASKING;
         ask_together(geometry, stage, sift, meet, space, sorted, &tile,
-                     answers);
+                     found);
     }
 }
 //<
@@ -302,15 +311,17 @@ INLINED void go(const enum geometry geometry, stage_function *stage,
                 sift_function *sift, meet_function *meet,
                 struct space space, const struct sorted *sorted,
                 enum manner manner, uint32_t begin, uint32_t end,
-                struct answers *answers)
+                struct answers *found)
 {
     if (manner == TOGETHER)
         go_along(geometry, stage, sift, meet, space, sorted, begin, end,
-                 answers);
+                 found);
     else
-        for (uint32_t s = begin; s < end; s++)
-            ask_alone(geometry, meet, manner == SKIPPING, space, sorted,
-                      s, answers);
+        for (uint32_t s = begin; s < end; s++) {
+            struct single single = ask_alone(
+                geometry, meet, manner == SKIPPING, space, sorted, s);
+            put(found, s - begin, single.nearest, single.best2);
+        }
 }
 //<
 //<

@@ -30,13 +30,21 @@ static inline void search_in_pieces(const struct checked_spans *checked,
                                     struct answers *found)
 {
     const uint32_t n = sorted->points.n;
-    memset(found->nearest, 0xA5, n * sizeof *found->nearest);
-    memset(found->nearest2, 0xA5, n * sizeof *found->nearest2);
+    const uint32_t *point = sorted->cells.point;
+    struct answers ordered = answers_allocate(n);
+    memset(ordered.nearest, 0xA5, n * sizeof *ordered.nearest);
+    memset(ordered.nearest2, 0xA5, n * sizeof *ordered.nearest2);
     for (uint64_t begin = 0; begin < n; begin += piece) {
-        uint64_t end = begin + piece;
-        checked->search(question, sorted, manner, begin,
-                        end < n ? end : n, found);
+        uint64_t end = begin + piece < n ? begin + piece : n;
+        struct answers part = {.nearest = ordered.nearest + begin,
+                               .nearest2 = ordered.nearest2 + begin};
+        checked->search(question, sorted, manner, begin, end, &part);
     }
+    for (uint32_t s = 0; s < n; s++) {
+        found->nearest[point[s]] = ordered.nearest[s];
+        found->nearest2[point[s]] = ordered.nearest2[s];
+    }
+    answers_free(&ordered);
 }
 
 static inline void check_span_answers(

@@ -91,6 +91,61 @@ static void avx512_answers(void)
 #endif
 }
 
+static void turns_of_any_length(void)
+{
+    const uint32_t n = 5000;
+    test_seed(7);
+    struct points points = generate(find_distribution("uniform"), n, 7);
+    struct question question = {points, {STANDARD, 1, 1}, 1};
+    struct sorted sorted = sorted_carry(&question, 2);
+    struct answers right = answers_allocate(n);
+    struct answers found = answers_allocate(n);
+    search_plainly(&question, &right);
+    for (uint32_t length = 1; length <= LONGEST_TURN; length *= 2) {
+        question.threads = length % 3 + 1;
+        memset(found.nearest, 0xA5, n * sizeof *found.nearest);
+        memset(found.nearest2, 0xA5, n * sizeof *found.nearest2);
+        search_in_turns(&question, &sorted, TOGETHER, length, &found);
+        CHECK_INT(0,
+                  memcmp(right.nearest, found.nearest,
+                         n * sizeof *found.nearest),
+                  "turns of %u: neighbors", length);
+        CHECK_INT(0,
+                  memcmp(right.nearest2, found.nearest2,
+                         n * sizeof *found.nearest2),
+                  "turns of %u: distances", length);
+    }
+    answers_free(&found);
+    answers_free(&right);
+    sorted_free(&sorted);
+    points_free(&points);
+}
+
+// The fourth chapter's search, which has faced the plainest one.
+static void a_million_as_ever(void)
+{
+    test_seed(8);
+    struct question question = {
+        generate(find_distribution("clustered"), 300000, 8),
+        {STANDARD, 1, 1},
+        2};
+    struct answers right = answers_allocate(300000);
+    struct answers found = answers_allocate(300000);
+    find_algorithm("cells-threads")->run(&question, &right);
+    row_spans(&question, &found);
+    CHECK_INT(
+        0,
+        memcmp(right.nearest, found.nearest, 300000 * sizeof(uint32_t)),
+        "neighbors");
+    CHECK_INT(
+        0,
+        memcmp(right.nearest2, found.nearest2, 300000 * sizeof(double)),
+        "distances");
+    answers_free(&found);
+    answers_free(&right);
+    points_free(&question.points);
+}
+
 // ---- counts --------------------------------------------------------
 static struct counts count_uniform(uint32_t n, int threads)
 {
@@ -108,7 +163,7 @@ static struct counts count_uniform(uint32_t n, int threads)
 // the end of a row, whose tiles are narrower.
 static void counts_as_expected(void)
 {
-    const uint32_t n = 1000000;
+    const uint32_t n = 300000;
     const double c = POINTS_PER_SPAN_CELL;
     struct counts counts = count_uniform(n, 2);
     test_seed(4);
@@ -149,6 +204,7 @@ int main(void)
 {
     return RUN_TESTS("ch09-row-spans", TEST(carried_as_sorted),
                      TEST(portable_answers), TEST(avx2_answers),
-                     TEST(avx512_answers), TEST(counts_as_expected),
+                     TEST(avx512_answers), TEST(turns_of_any_length),
+                     TEST(a_million_as_ever), TEST(counts_as_expected),
                      TEST(counts_of_any_threads), TEST(ties_ask_alone));
 }

@@ -1,0 +1,89 @@
+//> Vary how full a cell is, once more
+// The sort that carries the points, and the search by row spans, over
+// the number of points in a cell; and the distances computed and the
+// points that ask alone, counted and expected.
+//
+//     fullness [POINTS [TRIALS]]
+#include "ch02-all-pairs/timing.h"
+#include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/expected_spans.h"
+#include "ch09-row-spans/row_spans.h"
+#include "common/argument.h"
+#include "common/count.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+
+//> Time both halves
+struct halves {
+    struct question question;
+    double c;
+    struct sorted sorted;
+    struct answers answers;
+};
+
+static void sort(void *context)
+{
+    struct halves *h = context;
+    struct sorted sorted = sorted_carry(&h->question, h->c);
+    sorted_free(&sorted);
+}
+
+static void search(void *context)
+{
+    struct halves *h = context;
+    search_row_spans(&h->question, &h->sorted, TOGETHER, &h->answers);
+}
+//<
+
+static const struct {
+    const char *name;
+    double c;
+} cells[] = {{"half", 0.5}, {"three_quarters", 0.75},
+             {"one", 1},    {"one_and_a_half", 1.5},
+             {"two", 2},    {"three", 3},
+             {"four", 4},   {"six", 6}};
+enum { SIZES = sizeof cells / sizeof *cells };
+
+int main(int argc, char **argv)
+{
+    fail_as("fullness", NULL);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
+    int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
+    struct halves halves[SIZES];
+    struct trial trials[2 * SIZES];
+    struct question question = uniform_question(WRAPAROUND, n, 1);
+    struct answers answers = answers_allocate(n);
+    for (int k = 0; k < SIZES; k++) {
+        halves[k] = (struct halves){question, cells[k].c,
+                                    sorted_carry(&question, cells[k].c),
+                                    answers};
+        trials[2 * k] = (struct trial){
+            .work = sort, .prepare = sort, .context = &halves[k]};
+        trials[2 * k + 1] =
+            (struct trial){.work = search, .context = &halves[k]};
+    }
+    time_in_turn(count, trials, 2 * SIZES);
+    report_provenance(stdout);
+    puts("name\tc\tdistances\texpected\talone\talone_expected"
+         "\tsort\tsort_q1\tsort_q3\tsearch\tsearch_q1\tsearch_q3");
+    for (int k = 0; k < SIZES; k++) {
+        double c = (double)n / grid_cells(&halves[k].sorted.grid);
+        counting_take();
+        counting_search_row_spans(&question, &halves[k].sorted,
+                                  TOGETHER, &answers);
+        struct counts counts = counting_take();
+        printf("%s\t%g\t%.5g\t%.5g\t%.4g\t%.4g", cells[k].name,
+               cells[k].c, (double)counts.distances / n,
+               expected_shown(c), (double)counts.tasks / n,
+               expected_alone(c));
+        print_summary(&trials[2 * k].summary, n);
+        print_summary(&trials[2 * k + 1].summary, n);
+        puts("");
+        sorted_free(&halves[k].sorted);
+    }
+    answers_free(&answers);
+    points_free(&question.points);
+    return 0;
+}
+//<

@@ -1,0 +1,70 @@
+//> Vary the number of points, all included
+// The whole time a point, sort and all, of the spiral search, of
+// chapter 4's best and of row spans, on one thread, from a thousand
+// points on; and how many points fill the caches, if a search needs
+// what row spans keep of a point.
+//
+//     heights [MOST]
+#include "algorithms.h"
+#include "ch02-all-pairs/timing.h"
+#include "ch06-pack-scan/caches.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+
+// Coordinates and an index of a sorted point, two thirds of a start,
+// and an answer.
+enum { BYTES_KEPT = 35, LOTS = 1000000 };
+
+static const struct {
+    const char *algorithm, *name;
+} searches[] = {
+    {"spiral", "spiral"}, {"cells", "cells"}, {"row-spans", "spans"}};
+enum { SEARCHES = 3 };
+
+// Large sets take long, and differ little. What allocates much runs
+// once before it is timed; the spiral, long and without such arrays,
+// need not.
+static void print_size(uint32_t n)
+{
+    struct question question = uniform_question(STANDARD, n, 1);
+    struct answers answers = answers_for(n, NEAREST);
+    struct search search[SEARCHES];
+    struct trial trial[SEARCHES];
+    for (int k = 0; k < SEARCHES; k++) {
+        search[k] =
+            (struct search){find_algorithm(searches[k].algorithm)->run,
+                            question, &answers};
+        trial[k] = (struct trial){.work = run_search,
+                                  .prepare = k ? run_search : NULL,
+                                  .context = &search[k]};
+    }
+    time_in_turn(n > LOTS ? 1 : 5, trial, SEARCHES);
+    struct caches caches = caches_of_machine();
+    printf("n%u\t%u\t%zu\t%zu", n, n, caches.l2 / BYTES_KEPT,
+           caches.l3 / BYTES_KEPT);
+    for (int k = 0; k < SEARCHES; k++)
+        print_summary(&trial[k].summary, n);
+    puts("");
+    fflush(stdout);
+    answers_free(&answers);
+    points_free(&question.points);
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("heights", NULL);
+    uint32_t most = argument(argc, argv, 1, "MOST", LOTS, 1000, MANY);
+    report_provenance(stdout);
+    printf("name\tn\tl2_points\tl3_points");
+    for (int k = 0; k < SEARCHES; k++)
+        printf("\t%s\t%s_q1\t%s_q3", searches[k].name, searches[k].name,
+               searches[k].name);
+    puts("");
+    for (uint64_t n = 1000; n <= most; n *= 10)
+        for (int third = 0; third < 2; third++)
+            if ((third ? 3 * n : n) <= most)
+                print_size(third ? 3 * n : n);
+    return 0;
+}
+//<

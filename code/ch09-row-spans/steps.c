@@ -1,0 +1,128 @@
+//> Take one step at a time
+// The search alone, from chapter 4's through indices to eight points
+// together: every step in turn on the same points, in the order of the
+// cells, with the distances that each computes and how many points ask
+// alone.
+//
+//     steps [POINTS [TRIALS]]
+#include "ch02-all-pairs/timing.h"
+#include "ch04-cell-sort/point_by_point.h"
+#include "ch04-cell-sort/together.h"
+#include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/portable_spans.h"
+#include "ch09-row-spans/row_spans.h"
+#include "common/argument.h"
+#include "common/count.h"
+#include "common/fail.h"
+#include "common/report.h"
+
+//> Hold what all steps work on
+struct steps {
+    struct question question;
+    struct sorted two, fewer; // two in a cell, and as the table has it
+    struct answers answers;
+};
+
+static void by_indices(void *context)
+{
+    struct steps *s = context;
+    search_indices(&s->question, &s->two.grid, &s->two.cells,
+                   s->two.cells.point, &s->answers);
+}
+
+static void by_sorted(void *context)
+{
+    struct steps *s = context;
+    search_sorted(&s->question, &s->two, &s->answers);
+}
+
+static void by_spans(void *context)
+{
+    struct steps *s = context;
+    portable_spans(&s->question, &s->two, ALONE, 0,
+                   s->question.points.n, &s->answers);
+}
+
+static void by_vectors(void *context)
+{
+    struct steps *s = context;
+    search_row_spans(&s->question, &s->two, ALONE, &s->answers);
+}
+
+static void by_skipping(void *context)
+{
+    struct steps *s = context;
+    search_row_spans(&s->question, &s->two, SKIPPING, &s->answers);
+}
+
+static void by_four(void *context)
+{
+    struct steps *s = context;
+    search_together(&s->question, &s->two, &s->answers);
+}
+
+static void by_sifting(void *context)
+{
+    struct steps *s = context;
+    search_row_spans(&s->question, &s->two, TOGETHER, &s->answers);
+}
+
+static void by_fewer(void *context)
+{
+    struct steps *s = context;
+    search_row_spans(&s->question, &s->fewer, TOGETHER, &s->answers);
+}
+//<
+
+//> Count a step
+// Chapter 4's searches by points compute as many distances as they find
+// points in the blocks, which is what spans find, too.
+static struct counts count_step(struct steps *s, int step)
+{
+    enum manner manner = step == 4  ? SKIPPING
+                         : step < 6 ? ALONE
+                                    : TOGETHER;
+    counting_take();
+    counting_search_row_spans(&s->question,
+                              step == 7 ? &s->fewer : &s->two, manner,
+                              &s->answers);
+    return counting_take();
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("steps", NULL);
+    static const char *const names[] = {"indices", "sorted",   "spans",
+                                        "vectors", "skipping", "four",
+                                        "sifted",  "fewer"};
+    static void (*const works[])(void *) = {
+        by_indices,  by_sorted, by_spans,   by_vectors,
+        by_skipping, by_four,   by_sifting, by_fewer};
+    enum { STEPS = sizeof works / sizeof *works };
+    uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
+    int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
+    struct steps s = {.question = uniform_question(STANDARD, n, 1),
+                      .answers = answers_allocate(n)};
+    s.two = sorted_carry(&s.question, POINTS_PER_CELL);
+    s.fewer = sorted_carry(&s.question, POINTS_PER_SPAN_CELL);
+    struct trial trials[STEPS];
+    for (int k = 0; k < STEPS; k++)
+        trials[k] = (struct trial){.work = works[k], .context = &s};
+    time_in_turn(count, trials, STEPS);
+    report_provenance(stdout);
+    puts("name\tn\tdistances\talone\tns\tns_q1\tns_q3");
+    for (int k = 0; k < STEPS; k++) {
+        struct counts counts = count_step(&s, k);
+        printf("%s\t%u\t%.5g\t%.4g", names[k], n,
+               (double)counts.distances / n, (double)counts.tasks / n);
+        print_summary(&trials[k].summary, n);
+        puts("");
+    }
+    sorted_free(&s.fewer);
+    sorted_free(&s.two);
+    answers_free(&s.answers);
+    points_free(&s.question.points);
+    return 0;
+}
+//<
