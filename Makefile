@@ -18,6 +18,11 @@ say  = @echo "$(1) $@"
 # The plainest processor of this machine's family.
 plainest := $(if $(filter x86_64,$(shell uname -m)),x86-64,native)
 
+# The C++ compiler that goes with the C compiler.
+ifeq ($(origin CXX),default)
+CXX := $(subst clang,clang++,$(subst gcc,g++,$(patsubst cc,c++,$(CC))))
+endif
+
 override CFLAGS := -std=c17 -O3 -march=$(MARCH) -ffp-contract=off \
 	-fopenmp -Wall -Wextra -Wpedantic $(WERROR) $(CFLAGS)
 CPPFLAGS := -Icode -D_GNU_SOURCE -MMD -MP
@@ -25,9 +30,9 @@ LDLIBS   := -lm
 
 # ---- what there is -------------------------------------------------
 chapters  := $(patsubst code/ch%,%,$(wildcard code/ch*))
-sources   := $(wildcard code/*.c code/ch*/*.c code/common/*.c)
+sources   := $(wildcard code/*.c code/ch*/*.c code/common/*.c code/peers/*.c)
 modules   := $(foreach c,$(sources),$(if $(wildcard $(c:.c=.h)),$(c)))
-mains     := $(filter-out $(modules) code/near.c,$(sources))
+mains     := $(filter-out $(modules) code/near.c code/peers/%,$(sources))
 chapter_of = ch$(firstword $(subst -, ,$(patsubst code/ch%,%,$(1))))
 program_of = $(BUILD)/$(call chapter_of,$(1))/$(basename $(notdir $(1)))
 programs  := $(BUILD)/near $(foreach c,$(mains),$(call program_of,$(c)))
@@ -49,13 +54,14 @@ programs: $(programs)
 # ---- set-up --------------------------------------------------------
 # Each stamp says that the tools for one kind of work are there.
 $(BUILD)/setup/%: setup
-	@CC="$(CC)" ./setup $*
+	@CC="$(CC)" CXX="$(CXX)" ./setup $*
 	@mkdir -p $(@D) && touch $@
 
 # A level of tools stands on the one before.
 $(BUILD)/setup/test: | $(BUILD)/setup/code
 $(BUILD)/setup/book: | $(BUILD)/setup/test
 $(BUILD)/setup/check: | $(BUILD)/setup/test
+$(BUILD)/setup/peers: | $(BUILD)/setup/code
 
 # Other flags, another compiler: everything is compiled anew.
 flags := $(CC) $(filter-out -Werror,$(CPPFLAGS) $(CFLAGS))
@@ -156,7 +162,7 @@ $(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp \
 	$(Q)gnuplot -e "format = 'pdf'; output = '$@'; data = 'book/data'" $<
 
 $(BUILD)/near-and-far.pdf: $(programs) $(figures) $(press) $(sources) \
-		$(wildcard chapters/*.md code/*.h code/*/*.h book/data/*.tsv) \
+		$(wildcard chapters/*.md code/*.h code/*/*.h code/*/*.cc book/data/*.tsv) \
 		| $(BUILD)/setup/book
 	$(call say,print)
 	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --build $(BUILD)
@@ -196,6 +202,31 @@ measure: $(programs)
 measureN:
 	@echo "say make measure1, make measure2, ..."
 
+# ---- other libraries -----------------------------------------------
+# What only `make peers` needs: C++, and the libraries themselves.
+peers     := $(patsubst code/%.cc,$(BUILD)/plain/%.o,$(wildcard code/peers/*.cc))
+PEERFLAGS := -std=c++17 -O3 -march=$(MARCH) -fopenmp
+PEERLIBS  := -lann -ltbb -llz4
+
+$(peers): $(BUILD)/plain/peers/%.o: code/peers/%.cc $(BUILD)/flags \
+		| $(BUILD)/setup/peers
+	@mkdir -p $(@D)
+	$(call say,compile)
+	$(Q)$(CXX) $(CPPFLAGS) -DCGAL_LINKED_WITH_TBB $(PEERFLAGS) -Wall -Wextra \
+		$(WERROR) -c $< -o $@
+
+$(BUILD)/plain/peers/compare.o: CPPFLAGS += -DPEER_FLAGS='"$(PEERFLAGS)"'
+
+$(BUILD)/peers/compare: $(BUILD)/plain/peers/compare.o $(peers) $(objects) \
+		$(BUILD)/counting.o
+	@mkdir -p $(@D)
+	$(call say,link)
+	$(Q)$(CXX) $(PEERFLAGS) $^ -o $@ $(PEERLIBS) $(LDLIBS)
+
+#: measure other libraries beside the book (QUICK=yes: a glimpse)
+peers: $(BUILD)/peers/compare
+	@BUILD=$(BUILD) QUICK=$(QUICK) book/experiments/peers
+
 # ---- exercises -----------------------------------------------------
 # exercises/ch02/1-nearest-pair is exercise 2.1.
 exercise_key = $(patsubst 0%,%,$(firstword $(subst /, ,$(1)))).$(firstword \
@@ -224,7 +255,7 @@ check-memory: | $(BUILD)/setup/test
 
 #: lay out the C as .clang-format says
 format: | $(BUILD)/setup/check
-	clang-format -i $$(git ls-files '*.c' '*.h')
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.cc')
 
 #: remove everything generated
 clean:
@@ -243,4 +274,4 @@ help:
 	counting/* counting/*/*))
 
 .PHONY: all programs test test-all check-book picture chapterN measure measureN
-.PHONY: $(exercises) exerciseN.K check-race check-memory format clean help
+.PHONY: $(exercises) exerciseN.K peers check-race check-memory format clean help

@@ -1,0 +1,69 @@
+//> Declare the contest
+// Programs of this book and of others find all nearest neighbors of the
+// same points. The answers are compared, and building and asking are
+// timed apart. A program that would take too long, judging by its times
+// for fewer points, is not run.
+#pragma once
+#include "common/clock.h"
+#include "common/question.h"
+#include "peers/peer.h"
+#include <stdbool.h>
+
+struct program {
+    const char *name;
+    search_function *search; // of the book; or NULL, and then
+    const struct peer *peer; // one of the others
+};
+
+// Points, as both sides like them, and the squared distances to their
+// neighbors, once somebody has found them.
+struct ground {
+    struct points points;
+    place *place;
+    double *right2;
+    bool known;
+};
+
+// n points, which the ground takes over. Released with ground_free.
+struct ground ground_over(struct points points);
+void ground_free(struct ground *ground);
+
+enum { MOST_TRIALS = 100 };
+
+struct rules {
+    double limit;    // ns a point: what needs more is not run
+    double patience; // ns for the trials of a program, but at least one
+    int trials;      // at most, and at most MOST_TRIALS
+    int threads;     // all of them
+};
+
+// What a program took for 10 and for 100 times fewer points, in ns; all
+// zero where there were none.
+struct history {
+    double last, before;
+};
+
+struct times {
+    struct summary build, query, total; // ns
+};
+
+// One trial is a try; only those who get more of them also run with all
+// threads.
+struct result {
+    double expected;       // ns, judging by the history; 0: unknown
+    int trials;            // 0: not run, and the rest is not set
+    bool threaded;         // whether all is set
+    struct times one, all; // with one thread, with all
+    uint32_t differ;       // answers not the same to the last bit
+};
+
+// The size of a leaf that makes a peer fastest on this ground.
+int best_leaf(const struct peer *peer, const struct ground *ground,
+              struct answers *answers);
+
+// Ends the program if an answer is wrong by more than rounding. Who
+// comes first says what is right; the answers are overwritten.
+struct result compete(const struct program *program, int leaf,
+                      const struct rules *rules, struct ground *ground,
+                      struct answers *answers, struct history *history);
+//<

@@ -1,0 +1,102 @@
+//> Ask nanoflann
+// A k-d tree in one header (Blanco and Rai, 2014), made for two
+// dimensions by its templates. Its search takes any receiver of points
+// that has the functions below; ours keeps the best and refuses the
+// point that asks, which costs less than the two nearest and is as
+// exact.
+#include "peers/peer.h"
+#include <limits>
+#include <nanoflann.hpp>
+
+namespace
+{
+struct cloud {
+    const place *point;
+    uint32_t n;
+
+    size_t kdtree_get_point_count() const
+    {
+        return n;
+    }
+    double kdtree_get_pt(size_t i, size_t axis) const
+    {
+        return point[i][axis];
+    }
+    template <class Box> bool kdtree_get_bbox(Box &) const
+    {
+        return false; // let it look for itself
+    }
+};
+
+//> Receive every point but one
+struct neighbor {
+    uint32_t self, nearest;
+    double best2 = std::numeric_limits<double>::infinity();
+
+    bool addPoint(double distance2, uint32_t i)
+    {
+        if (i != self && distance2 < best2) {
+            best2 = distance2;
+            nearest = i;
+        }
+        return true; // go on
+    }
+    double worstDist() const
+    {
+        return best2;
+    }
+    bool full() const
+    {
+        return true;
+    }
+};
+//<
+
+using tree = nanoflann::KDTreeSingleIndexAdaptor<
+    nanoflann::L2_Simple_Adaptor<double, cloud>, cloud, 2>;
+
+struct built {
+    cloud points;
+    tree index;
+
+    built(const place *point, uint32_t n, size_t leaf)
+        : points{point, n}, index(2, points, {leaf})
+    {
+        index.buildIndex();
+    }
+};
+
+void *build(const place *point, uint32_t n, int leaf, int)
+{
+    return new built(point, n, leaf);
+}
+
+//> Let nanoflann answer
+void query(void *made, int threads, uint32_t *nearest, double *nearest2)
+{
+    const built &here = *static_cast<built *>(made);
+#pragma omp parallel for num_threads(threads)
+    for (uint32_t i = 0; i < here.points.n; i++) {
+        neighbor best = {i, i};
+        here.index.findNeighbors(best, here.points.point[i], {});
+        nearest[i] = best.nearest;
+        nearest2[i] = best.best2;
+    }
+}
+//<
+
+void discard(void *made)
+{
+    delete static_cast<built *>(made);
+}
+} // namespace
+
+//> Spell out the version
+static const char version[] = {'0' + (NANOFLANN_VERSION >> 8),      '.',
+                               '0' + (NANOFLANN_VERSION >> 4 & 15), '.',
+                               '0' + (NANOFLANN_VERSION & 15),      0};
+//<
+
+const struct peer peer_nanoflann = {
+    "nanoflann", version, {8, 16, 32, 64}, true, build, query, discard};
+//<
