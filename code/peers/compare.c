@@ -30,8 +30,8 @@ enum { FEWEST = 1000, FEW = 100000, LEAVES_UP_TO = 1000000 };
 static const double limit = 25000;
 
 //> List the programs
-static const char *const ours[] = {"cells-threads", "vector-spiral",
-                                   "spiral"};
+static const char *const ours[] = {"row-spans", "cells-threads",
+                                   "vector-spiral", "spiral"};
 static const struct peer *const peers[] = {&peer_nanoflann, &peer_cgal,
                                            &peer_ann, &peer_flann};
 enum {
