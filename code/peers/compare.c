@@ -106,6 +106,26 @@ static void compete_on(struct ground *ground, int kind,
 }
 //<
 
+//> Let all compete for so many points
+static void compete_for(uint32_t n, const struct rules *rules,
+                        const struct program programs[PROGRAMS],
+                        struct memory memory[ORDERS][PROGRAMS])
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        struct points coming =
+            generate(find_distribution(kinds[kind]), n, 1);
+        struct points points[ORDERS] = {coming,
+                                        points_in_strips(coming)};
+        for (int order = 0; order < ORDERS; order++) {
+            struct ground ground = ground_over(points[order]);
+            compete_on(&ground, kind, orders[order], rules, programs,
+                       memory[order]);
+            ground_free(&ground);
+        }
+    }
+}
+//<
+
 int main(int argc, char **argv)
 {
     fail_as("compare", NULL);
@@ -119,21 +139,11 @@ int main(int argc, char **argv)
     list(programs);
     print_head();
     for (uint64_t n = FEWEST; n <= largest; n *= 10) {
-        struct rules rules = {limit, seconds * 1e9,
-                              n <= FEW ? 3 * trials : trials,
-                              omp_get_num_procs()};
-        for (int kind = 0; kind < KINDS; kind++) {
-            struct points coming =
-                generate(find_distribution(kinds[kind]), n, 1);
-            struct points points[ORDERS] = {coming,
-                                            points_in_strips(coming)};
-            for (int order = 0; order < ORDERS; order++) {
-                struct ground ground = ground_over(points[order]);
-                compete_on(&ground, kind, orders[order], &rules,
-                           programs, memory[order]);
-                ground_free(&ground);
-            }
-        }
+        struct rules rules = {.limit = limit,
+                              .patience = seconds * 1e9,
+                              .trials = n <= FEW ? 3 * trials : trials,
+                              .threads = omp_get_num_procs()};
+        compete_for(n, &rules, programs, memory);
     }
     return 0;
 }
