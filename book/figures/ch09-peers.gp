@@ -21,11 +21,11 @@ do for [order in "coming ordered"] {
     set title (kind eq "kuzmin" ? "Kuzmin" : kind) . (order eq "coming" ? "" : ", in strips")
     set ylabel (kind eq "uniform" ? "ns a point" : "") offset 0.5
     set xlabel (order eq "ordered" ? "points" : "")
-    set yrange [10:(kind eq "kuzmin" ? 1e6 : 1e4)]
+    set yrange [10:(kind eq "kuzmin" ? 1e7 : 1e4)]
     plot for [k=1:6] table using "n":(cell(word(programs, k), kind, order, "total")) \
-           with linespoints lt word(looks, k) + 0 , \
-         for [k=1:(kind eq "kuzmin" ? 2 : 0)] "" using "n":(cell(word(programs, k), kind, order, "expected")) \
-           with points pt 2 ps 0.5 lt word(looks, k) + 0
+           with linespoints lt word(looks, k) + 0, \
+         for [k=1:2] "" using "n":(kind eq "kuzmin" ? cell(word(programs, k), kind, order, "expected") : 0) \
+           with points lt word(looks, k) + 0 pt 2 ps 0.6
   }
 }
 # One key for all six, under them.
