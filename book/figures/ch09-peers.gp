@@ -25,7 +25,7 @@ do for [order in "coming ordered"] {
     plot for [k=1:6] table using "n":(cell(word(programs, k), kind, order, "total")) \
            with linespoints lt word(looks, k) + 0, \
          for [k=1:2] "" using "n":(kind eq "kuzmin" ? cell(word(programs, k), kind, order, "expected") : 0) \
-           with points pt (k == 1 ? 2 : 1) ps 0.7 lc rgb "#222222"
+           with points pt (k == 1 ? 2 : 1) ps 1 lc rgb "#222222"
   }
 }
 # One key for all six, under them.
