@@ -57,7 +57,7 @@ INLINED void look_in(const enum geometry geometry,
     double *best = strip->best;
     uint8_t *keep = strip->keep;
     uint32_t n = here->n;
-    //> Gather nine times
+    //> Gather what is compared
     p->gather32(point, map->cells->point, at, n);
     p->gather(x, map->points.x, point, n);
     p->gather(y, map->points.y, point, n);

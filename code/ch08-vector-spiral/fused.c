@@ -5,6 +5,7 @@
 #include "ch08-vector-spiral/fused_avx512.h"
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 //> Enter a cell in one pass
 INLINED void enter_in(const enum geometry geometry,
@@ -20,7 +21,7 @@ INLINED void enter_in(const enum geometry geometry,
     uint64_t looked = 0;
     uint32_t k = 0;
     for (uint32_t i = 0; i < tasks->n; i++) {
-        bool seen = (aside[i] >= across) & (ahead[i] >= along);
+        bool seen = ((aside[i] - across) | (ahead[i] - along)) >= 0;
         uint32_t cell = go(geometry, y, tasks->row[i], dy) * x->count +
                         go(geometry, x, tasks->column[i], dx);
         cell *= seen; // cell 0 is there for all
@@ -33,6 +34,20 @@ INLINED void enter_in(const enum geometry geometry,
     }
     strip->tally.looked += looked;
     strip->here.n = k;
+}
+//<
+
+//> Choose without a branch
+// The first if it is true. Said with ?: it would be for the compiler to
+// decide, and it decides for a branch.
+static inline double either(bool first, double a, double b)
+{
+    uint64_t x, y;
+    memcpy(&x, &a, sizeof x);
+    memcpy(&y, &b, sizeof y);
+    y ^= (x ^ y) & -(uint64_t)first;
+    memcpy(&b, &y, sizeof b);
+    return b;
 }
 //<
 
@@ -59,8 +74,8 @@ INLINED void look_in(const enum geometry geometry,
         d2 += no_number_if[s == first + t];
         double best = best2[t];
         bool better = (d2 < best) | ((d2 == best) & (j < nearest[t]));
-        best2[t] = d2 < best ? d2 : best;
-        nearest[t] = better ? j : nearest[t];
+        best2[t] = either(better, d2, best);
+        nearest[t] ^= (nearest[t] ^ j) & -(uint32_t)better;
         here->task[k] = t;
         here->at[k] = s + 1;
         here->end[k] = end;

@@ -24,7 +24,14 @@ static void turn(struct watch *watch, enum phase phase)
     watch->ns[watch->phase] += now - watch->since;
     watch->since = now;
     watch->phase = phase;
-    watch->turns++;
+    watch->turns[phase]++;
+}
+//<
+
+//> Fill whole vectors
+static uint32_t lanes_for(uint32_t n)
+{
+    return (n + LANES_TALLIED - 1) / LANES_TALLIED * LANES_TALLIED;
 }
 //<
 
@@ -37,16 +44,15 @@ static void look_together(const struct marching *m,
     struct tally *tally = &strip->tally;
     turn(m->watch, IN_CELLS);
     m->loops->enter(m->map, strip, tasks, dx, dy);
+    tally->enters++;
     tally->tried += tasks->n;
     tally->entered += strip->here.n;
     turn(m->watch, IN_POINTS);
     while (strip->here.n > 0) {
-        uint32_t n = strip->here.n;
-        tally->points += n;
-        tally->calls++;
-        tally->lanes +=
-            (n + LANES_TALLIED - 1) / LANES_TALLIED * LANES_TALLIED;
-        tally->unpacked += strip->all.n;
+        tally->looks++;
+        tally->points += strip->here.n;
+        tally->lanes += lanes_for(strip->here.n);
+        tally->unpacked += lanes_for(strip->all.n);
         m->loops->look(m->map, strip);
     }
     turn(m->watch, IN_LAYERS);
@@ -108,6 +114,7 @@ static void pack_tasks(struct strip *strip, const struct tasks *from)
     const uint8_t *keep = strip->keep;
     struct tasks *to = &strip->some;
     uint32_t n = from->n;
+    strip->tally.listed += n;
     p->pack((uint32_t *)to->column, (uint32_t *)from->column, keep, n);
     p->pack((uint32_t *)to->row, (uint32_t *)from->row, keep, n);
     for (int side = 0; side < SIDES; side++)
@@ -121,13 +128,16 @@ static void pack_tasks(struct strip *strip, const struct tasks *from)
 static void phase_one(const struct marching *m)
 {
     struct strip *strip = m->strip;
+    const uint32_t *nearest = strip->nearest;
     const struct tasks *tasks = &strip->all;
     for (int32_t k = 0; tasks->n > 0; k++) {
-        for (uint32_t i = 0; i < tasks->n; i++)
-            strip->ended[tasks->task[i]] = k;
+        const uint32_t *task = tasks->task, n = tasks->n;
+        uint8_t *keep = strip->keep;
+        for (uint32_t i = 0; i < n; i++)
+            strip->ended[task[i]] = k;
         do_layer(m, tasks, k, strip->tally.seeking);
-        for (uint32_t i = 0; i < tasks->n; i++)
-            strip->keep[i] = strip->nearest[tasks->task[i]] == NOBODY;
+        for (uint32_t i = 0; i < n; i++)
+            keep[i] = nearest[task[i]] == NOBODY;
         pack_tasks(strip, tasks);
         tasks = &strip->some;
     }
@@ -138,29 +148,31 @@ static void phase_one(const struct marching *m)
 // Each task goes on to one side, step by step, as long as its square
 // does.
 INLINED void draw_curtain(const enum geometry geometry,
-                          const struct axis *axis, struct strip *strip,
+                          const struct axis axis, struct strip *strip,
                           const int32_t *cell, const double *x,
                           const enum side side)
 {
     const bool on = side == EAST || side == NORTH;
+    const double *best2 = strip->best2;
     int32_t *reach = strip->all.reach[side];
     uint32_t *going = strip->cell, n = strip->all.n;
+    uint8_t *keep = strip->keep;
     for (uint32_t t = 0; t < n; t++)
         going[t] = t;
     for (int32_t steps = 1; n > 0; steps++) {
         strip->tally.steps += n;
         for (uint32_t i = 0; i < n; i++) {
             uint32_t t = going[i];
-            struct view all = view_all(axis, cell[t]);
-            double margin = on ? margin_on(geometry, axis, all, cell[t],
-                                           steps, x[t])
-                               : margin_back(geometry, axis, all,
+            struct view all = view_all(&axis, cell[t]);
+            double margin = on ? margin_on(geometry, &axis, all,
+                                           cell[t], steps, x[t])
+                               : margin_back(geometry, &axis, all,
                                              cell[t], steps, x[t]);
-            strip->keep[i] = (steps <= (on ? all.on : all.back)) &
-                             (margin * margin <= strip->best2[t]);
+            keep[i] = (steps <= (on ? all.on : all.back)) &
+                      (margin * margin <= best2[t]);
             reach[t] = steps - 1;
         }
-        n = strip->primitives->pack(going, going, strip->keep, n);
+        n = strip->primitives->pack(going, going, keep, n);
     }
 }
 //<
@@ -172,15 +184,15 @@ static void draw_curtains(const struct marching *m)
     struct strip *s = m->strip;
     int32_t *column = s->all.column, *row = s->all.row;
     if (m->map->space.geometry == STANDARD) {
-        draw_curtain(STANDARD, &grid->x, s, column, s->x, WEST);
-        draw_curtain(STANDARD, &grid->x, s, column, s->x, EAST);
-        draw_curtain(STANDARD, &grid->y, s, row, s->y, SOUTH);
-        draw_curtain(STANDARD, &grid->y, s, row, s->y, NORTH);
+        draw_curtain(STANDARD, grid->x, s, column, s->x, WEST);
+        draw_curtain(STANDARD, grid->x, s, column, s->x, EAST);
+        draw_curtain(STANDARD, grid->y, s, row, s->y, SOUTH);
+        draw_curtain(STANDARD, grid->y, s, row, s->y, NORTH);
     } else {
-        draw_curtain(WRAPAROUND, &grid->x, s, column, s->x, WEST);
-        draw_curtain(WRAPAROUND, &grid->x, s, column, s->x, EAST);
-        draw_curtain(WRAPAROUND, &grid->y, s, row, s->y, SOUTH);
-        draw_curtain(WRAPAROUND, &grid->y, s, row, s->y, NORTH);
+        draw_curtain(WRAPAROUND, grid->x, s, column, s->x, WEST);
+        draw_curtain(WRAPAROUND, grid->x, s, column, s->x, EAST);
+        draw_curtain(WRAPAROUND, grid->y, s, row, s->y, SOUTH);
+        draw_curtain(WRAPAROUND, grid->y, s, row, s->y, NORTH);
     }
 }
 //<
@@ -192,14 +204,17 @@ static void phase_two(const struct marching *m)
 {
     struct strip *strip = m->strip;
     const struct tasks *all = &strip->all;
-    int32_t *const *reach = all->reach, further = 1;
-    for (int32_t k = 1; further; k++) {
-        further = 0;
+    const int32_t *west = all->reach[WEST], *east = all->reach[EAST];
+    const int32_t *south = all->reach[SOUTH];
+    const int32_t *north = all->reach[NORTH], *ended = strip->ended;
+    uint8_t *keep = strip->keep;
+    for (int32_t k = 1, last = k; k <= last; k++) {
+#pragma omp simd reduction(max : last)
         for (uint32_t t = 0; t < all->n; t++) {
-            int32_t far = more(more(reach[WEST][t], reach[EAST][t]),
-                               more(reach[SOUTH][t], reach[NORTH][t]));
-            strip->keep[t] = (strip->ended[t] < k) & (far >= k);
-            further |= far > k;
+            int32_t far =
+                more(more(west[t], east[t]), more(south[t], north[t]));
+            keep[t] = (ended[t] < k) & (far >= k);
+            last = more(last, far);
         }
         pack_tasks(strip, all);
         do_layer(m, &strip->some, k, strip->tally.looking);
@@ -211,8 +226,9 @@ static void phase_two(const struct marching *m)
 static void begin(const struct marching *m, uint32_t first, uint32_t n)
 {
     const struct map *map = m->map;
-    const struct axis *x = &map->grid->x, *y = &map->grid->y;
+    const struct axis x = map->grid->x, y = map->grid->y;
     struct strip *s = m->strip;
+    const struct tasks all = s->all;
     const uint32_t *point = map->cells->point + first;
     s->first = first;
     s->all.n = n;
@@ -221,15 +237,16 @@ static void begin(const struct marching *m, uint32_t first, uint32_t n)
     s->primitives->gather(s->x, map->points.x, point, n);
     s->primitives->gather(s->y, map->points.y, point, n);
     for (uint32_t t = 0; t < n; t++) {
-        uint32_t column = axis_cell(x, s->x[t]);
-        uint32_t row = axis_cell(y, s->y[t]);
-        struct view wide = view_all(x, column), tall = view_all(y, row);
-        s->all.column[t] = column;
-        s->all.row[t] = row;
-        s->all.reach[WEST][t] = wide.back;
-        s->all.reach[EAST][t] = wide.on;
-        s->all.reach[SOUTH][t] = tall.back;
-        s->all.reach[NORTH][t] = tall.on;
+        uint32_t column = axis_cell(&x, s->x[t]);
+        uint32_t row = axis_cell(&y, s->y[t]);
+        struct view wide = view_all(&x, column);
+        struct view tall = view_all(&y, row);
+        all.column[t] = column;
+        all.row[t] = row;
+        all.reach[WEST][t] = wide.back;
+        all.reach[EAST][t] = wide.on;
+        all.reach[SOUTH][t] = tall.back;
+        all.reach[NORTH][t] = tall.on;
         s->best2[t] = INFINITY;
         s->nearest[t] = NOBODY;
     }

@@ -7,14 +7,14 @@
 #include "ch08-vector-spiral/loops.h"
 
 //> Time the march by its loops
-// For an experiment, on one thread: the time in each, and how often it
-// went from one to another.
+// For an experiment, on one thread: the time in each, and how often the
+// march came to it.
 enum phase { IN_LAYERS, IN_CELLS, IN_POINTS, PHASES };
 
 struct watch {
     enum phase phase;
     int64_t since, ns[PHASES];
-    uint64_t turns;
+    uint64_t turns[PHASES];
 };
 //<
 

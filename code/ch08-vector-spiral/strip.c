@@ -34,13 +34,17 @@ static struct tasks cut_tasks(struct room *room)
 // The numbers of doubles and of 32-bit numbers that a task has.
 enum { DOUBLES = 8, NUMBERS = 22 };
 
+size_t strip_bytes(uint32_t length)
+{
+    return length * (DOUBLES * sizeof(double) +
+                     NUMBERS * sizeof(uint32_t) + sizeof(uint8_t));
+}
+
 struct strip strip_allocate(const struct primitives *primitives,
                             uint32_t length)
 {
     struct room room = {.length = (size_t)length + SPILL};
-    room.next = allocate(room.length, DOUBLES * sizeof(double) +
-                                          NUMBERS * sizeof(uint32_t) +
-                                          sizeof(uint8_t));
+    room.next = allocate(room.length, strip_bytes(1));
     struct strip strip = {.x = cut(&room, sizeof(double)),
                           .y = cut(&room, sizeof(double)),
                           .best2 = cut(&room, sizeof(double)),

@@ -7,6 +7,7 @@
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 #include "ch07-spiral/seek.h"
+#include <stddef.h>
 
 enum side { WEST, EAST, SOUTH, NORTH, SIDES };
 
@@ -36,11 +37,12 @@ struct tally {
     uint64_t seeking[LAYERS_TALLIED]; // tasks at layer k in phase one
     uint64_t looking[LAYERS_TALLIED]; // and in phase two
     uint64_t shown[LAYERS_TALLIED];   // cells of it that they look at
+    uint64_t listed;                  // tasks before a list is packed
     uint64_t steps;                   // tried by the curtains
     uint64_t tried, looked, entered;  // cells: by all tasks of a list,
                                       // in the window, with points
     uint64_t points;                  // looked at
-    uint64_t calls;                   // of the loop over points
+    uint64_t enters, looks;           // times that these loops ran
     uint64_t lanes, unpacked;         // in it: with packing, without
 };
 //<
@@ -63,6 +65,9 @@ struct strip {
     //<
 };
 //<
+
+// The bytes that so many tasks take.
+size_t strip_bytes(uint32_t length);
 
 // Room for so many tasks, to be released with strip_free.
 struct strip strip_allocate(const struct primitives *primitives,

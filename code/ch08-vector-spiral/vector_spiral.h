@@ -6,6 +6,6 @@
 
 // Sorts the points into cells, and searches. The best length of a strip
 // is found by the experiment strips.
-enum { STRIP = 512 };
+enum { STRIP = 1024 };
 search_function vector_spiral;
 //<
