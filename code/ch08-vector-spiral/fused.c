@@ -37,7 +37,7 @@ INLINED void enter_in(const enum geometry geometry,
 }
 //<
 
-//> Choose without a branch
+//> Choose between two by their bits
 // The first if it is true. Said with ?: it would be for the compiler to
 // decide, and it decides for a branch.
 static inline double either(bool first, double a, double b)
