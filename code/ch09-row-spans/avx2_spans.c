@@ -121,6 +121,7 @@ INLINED __m256d four_near2(const enum geometry geometry,
                          _mm256_min_pd(ay2, _mm256_mul_pd(by, by)));
 }
 
+//> Keep best and index in registers
 USE_AVX2
 INLINED void four_keep(struct four *four, __m256d d2, __m256i who,
                        __m256i there)
@@ -137,6 +138,7 @@ INLINED void four_keep(struct four *four, __m256d d2, __m256i who,
         _mm256_blendv_pd(four->best2, d2, _mm256_castsi256_pd(better));
     four->nearest = _mm256_blendv_epi8(four->nearest, who, better);
 }
+//<
 
 USE_AVX2
 INLINED void four_answer(const struct four *four, struct single *single)
