@@ -8,7 +8,7 @@
 #include <string.h>
 
 //> Choose a band that fits the cache
-// The points of 2^12 cells, coming and going, are some 350 KB. A small
+// The points of 2^12 cells, coming and going, are some 270 KB. A small
 // grid is cut into at least so many bands, for the threads to share.
 enum { WIDEST_SHIFT = 12, FEWEST_BANDS = 64, STRIP = 512 };
 

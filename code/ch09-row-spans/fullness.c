@@ -39,10 +39,10 @@ static void search(void *context)
 static const struct {
     const char *name;
     double c;
-} cells[] = {{"half", 0.5}, {"three_quarters", 0.75},
-             {"one", 1},    {"one_and_a_half", 1.5},
-             {"two", 2},    {"three", 3},
-             {"four", 4},   {"six", 6}};
+} cells[] = {{"c_half", 0.5}, {"c_three_quarters", 0.75},
+             {"c_one", 1},    {"c_one_and_a_half", 1.5},
+             {"c_two", 2},    {"c_three", 3},
+             {"c_four", 4},   {"c_six", 6}};
 enum { SIZES = sizeof cells / sizeof *cells };
 
 int main(int argc, char **argv)
