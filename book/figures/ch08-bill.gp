@@ -5,7 +5,7 @@ height = 2.1
 load "book/figures/style.gp"
 table = data . "/ch08-bill.tsv"
 set style fill solid 0.6 border
-set boxwidth 0.32
+set boxwidth 0.32 absolute
 set xrange [-0.6:3.6]
 set yrange [0:*]
 set ylabel "ns a point"
@@ -17,4 +17,4 @@ place(name) = name eq "sort" ? 0 : name eq "layers" ? 1 : name eq "cells" ? 2 : 
 spot(offset) = strcol("loop") eq "sum" ? place(strcol("name")) + offset : NaN
 plot table using (spot(-0.18)):"predicted" with boxes lt 2 dt 1 fs pattern 4 title "predicted", \
      "" using (spot(0.18)):"measured" with boxes lt 1 title "measured", \
-     "" using (spot(0.18)):"measured":"measured_q1":"measured_q3" with yerrorbars lt -1 pt 0 notitle
+     "" using (spot(0.18)):"measured_q1":(0):(column("measured_q3") - column("measured_q1")) with vectors nohead lt -1 lw 2 notitle

@@ -17,7 +17,7 @@ set arrow from l2_max,graph 0 to l2_max,graph 1 nohead ls 11
 set label "L1" at l1_max,graph 0.95 offset 0.6
 set label "L2" at l2_max,graph 0.95 offset 0.6
 set key bottom left
-plot table using "length":"primitives":"primitives_q1":"primitives_q3" with yerrorbars lt 2 dt 1 notitle, \
+plot table using "length":"primitives_q1":(0):(column("primitives_q3") - column("primitives_q1")) with vectors nohead lt 2 dt 1 notitle, \
      "" using "length":"primitives" with linespoints lt 2 title "by primitives", \
-     "" using "length":"fused":"fused_q1":"fused_q3" with yerrorbars lt 1 dt 1 notitle, \
+     "" using "length":"fused_q1":(0):(column("fused_q3") - column("fused_q1")) with vectors nohead lt 1 dt 1 notitle, \
      "" using "length":"fused" with linespoints lt 1 title "fused"

@@ -30,15 +30,15 @@ static const char *const loop_names[LOOPS] = {[IN_LAYERS] = "layers",
                                               [WHOLE] = "whole"};
 
 //> Say what an element needs
-// The bytes that elementwise loops move; routes of doubles and of
-// 32-bit numbers, in and out; scans and packs; routes to anywhere. Or
-// how many loops begin.
+// The bytes that elementwise loops move and the operations they do on
+// them; routes of doubles and of 32-bit numbers, in and out; scans and
+// packs; routes to anywhere. Or how many loops begin.
 struct line {
     const char *name;
     int loop;
     double elements; // a point
-    int bytes, in, in32, out, scan, pack, far_in, far_in32, far_out,
-        starts;
+    int bytes, operations, in, in32, out, scan, pack, far_in, far_in32,
+        far_out, starts;
 };
 enum { LINES = 16 };
 
@@ -53,25 +53,30 @@ static void list_lines(const struct tally *t, double n,
     const double relisted = t->listed / n - seeking;
     const double steps = t->steps / n, points = t->points / n;
     const struct line all[LINES] = {
-        {"count", SORT, 1, .bytes = 36, .far_in32 = 1, .far_out = 1},
+        {"count", SORT, 1, .bytes = 36, .operations = 12, .far_in32 = 1,
+         .far_out = 1},
         {"sum", SORT, 1, .scan = 1},
         {"place", SORT, 1, .bytes = 4, .far_in32 = 1, .far_out = 2},
-        {"begin", IN_LAYERS, 1, .bytes = 52, .far_in = 2},
-        {"seek", IN_LAYERS, seeking, .bytes = 17, .in32 = 1, .out = 1,
-         .pack = 7},
+        {"begin", IN_LAYERS, 1, .bytes = 52, .operations = 20,
+         .far_in = 2},
+        {"seek", IN_LAYERS, seeking, .bytes = 17, .operations = 6,
+         .in32 = 1, .out = 1, .pack = 7},
         {"draw", IN_LAYERS, 1, .bytes = 16},
-        {"step", IN_LAYERS, steps, .bytes = 5, .in = 3, .in32 = 1,
-         .out = 1, .pack = 1},
-        {"relist", IN_LAYERS, relisted, .bytes = 21, .pack = 7},
-        {"round", IN_LAYERS, looking, .bytes = 16},
+        {"step", IN_LAYERS, steps, .bytes = 5, .operations = 9, .in = 3,
+         .in32 = 1, .out = 1, .pack = 1},
+        {"relist", IN_LAYERS, relisted, .bytes = 21, .operations = 6,
+         .pack = 7},
+        {"round", IN_LAYERS, looking, .bytes = 16, .operations = 4},
         {"answer", IN_LAYERS, 1, .far_out = 2},
-        {"go", IN_CELLS, t->tried / n, .bytes = 21, .pack = 2},
-        {"stay", IN_CELLS, t->looked / n, .bytes = 9, .in32 = 2,
-         .pack = 3},
+        {"go", IN_CELLS, t->tried / n, .bytes = 21, .operations = 6,
+         .pack = 2},
+        {"stay", IN_CELLS, t->looked / n, .bytes = 9, .operations = 1,
+         .in32 = 2, .pack = 3},
         {"enters", IN_CELLS, t->enters / n, .starts = 10},
-        {"compare", IN_POINTS, points, .bytes = 68, .in = 5, .in32 = 2,
-         .out = 2},
-        {"on", IN_POINTS, points, .bytes = 13, .pack = 3},
+        {"compare", IN_POINTS, points, .bytes = 68, .operations = 15,
+         .in = 5, .in32 = 2, .out = 2},
+        {"on", IN_POINTS, points, .bytes = 13, .operations = 2,
+         .pack = 3},
         {"looks", IN_POINTS, t->looks / n, .starts = 14},
     };
     for (int k = 0; k < LINES; k++)
@@ -83,6 +88,7 @@ static void list_lines(const struct tally *t, double n,
 // An addition moves three doubles.
 struct prices {
     struct summary near[1][WORKS], far[1][WORKS]; // ns an element
+    double operation;                             // ns in a register
     double start;                                 // ns a loop
 };
 
@@ -92,6 +98,7 @@ static double price_of(const struct line *line,
     const struct summary *near = prices->near[0];
     const struct summary *far = prices->far[0];
     return line->bytes / 24.0 * near[ELEMENTWISE].median +
+           line->operations * prices->operation +
            line->in * near[GATHER_AT_RANDOM].median +
            line->in32 * near[GATHER32_AT_RANDOM].median +
            line->out * near[SCATTER_AT_RANDOM].median +
@@ -101,6 +108,31 @@ static double price_of(const struct line *line,
            line->far_in32 * far[GATHER32_AT_RANDOM].median +
            line->far_out * far[SCATTER_AT_RANDOM].median +
            line->starts * prices->start;
+}
+//<
+
+//> Price an operation in a register
+// Of sixteen, from the load of a number to its store.
+enum { NUMBERS_OPERATED = 1024, OPERATIONS = 16, ROUNDS = 512 };
+
+static void operate(void *context)
+{
+    double *x = context;
+    for (int round = 0; round < ROUNDS; round++)
+#pragma omp simd
+        for (int i = 0; i < NUMBERS_OPERATED; i++) {
+            double y = x[i];
+            for (int k = 0; k < OPERATIONS / 2; k++)
+                y = y * y + 0.125;
+            x[i] = y;
+        }
+}
+
+static double operation_price(int trials)
+{
+    double x[NUMBERS_OPERATED] = {0};
+    struct summary ns = time_trials(trials, operate, x);
+    return ns.median / NUMBERS_OPERATED / OPERATIONS / ROUNDS;
 }
 //<
 
@@ -217,8 +249,9 @@ static void print_bill(const struct line *lines,
                "far_%s\tprice\t1\t%.4g\tnan\tnan\tnan\tnan\n",
                work_names[k], prices->near[0][k].median, work_names[k],
                prices->far[0][k].median);
-    printf("start\tprice\t1\t%.4g\tnan\tnan\tnan\tnan\n",
-           prices->start);
+    printf("operation\tprice\t1\t%.4g\tnan\tnan\tnan\tnan\n"
+           "start\tprice\t1\t%.4g\tnan\tnan\tnan\tnan\n",
+           prices->operation, prices->start);
     for (int k = 0; k < LINES; k++) {
         double price = price_of(&lines[k], prices);
         print_line(lines[k].name, loop_names[lines[k].loop],
@@ -246,6 +279,7 @@ int main(int argc, char **argv)
     price_tables(trials, STRIP * BYTES_LOOKED, &chosen, 1, prices.near);
     price_tables(trials, n * 2 * sizeof(double), &chosen, 1,
                  prices.far);
+    prices.operation = operation_price(trials);
     prices.start = start_price(chosen, trials, prices.near[0]);
     struct summary ns[LOOPS];
     struct tally tally;
