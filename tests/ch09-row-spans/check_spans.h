@@ -201,6 +201,18 @@ static inline void check_span_crowds(span_search *search,
     }
 }
 
+// With 0.3 points in a cell the grid has 4 by 4. The last but two is as
+// far from the second as from the first, which stands on the edge of
+// its block, outside.
+static inline void check_span_edges(span_search *search,
+                                    const char *isa)
+{
+    double x[] = {1.25, 2.75, 1.25, 0, 4};
+    double y[] = {3, 1.5, 1.5, 0, 4};
+    check_spans_of(search, isa, (struct points){5, x, y},
+                   (struct space){STANDARD, 1, 1}, "tied");
+}
+
 static inline void check_spans(span_search *search, const char *isa)
 {
     check_span_generators(search, isa);
@@ -208,4 +220,5 @@ static inline void check_spans(span_search *search, const char *isa)
     check_span_shaken(search, isa);
     check_span_scales(search, isa);
     check_span_crowds(search, isa);
+    check_span_edges(search, isa);
 }
