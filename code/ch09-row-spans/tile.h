@@ -76,6 +76,14 @@ INLINED double seen_from(const struct axis *axis,
         return origin;
     return beyond ? origin - axis->period : origin + axis->period;
 }
+
+// That origin is rounded, as coarsely as doubles of its size are. It
+// must be finer than single precision.
+INLINED bool seam_is_fine(const struct axis *axis, double origin,
+                          double reach)
+{
+    return fabs(origin) + axis->period <= reach * 0x1p22;
+}
 //<
 
 //> Measure how far the block reaches
@@ -176,7 +184,8 @@ INLINED bool fill(const enum geometry geometry, stage_function *stage,
         return false;
     if (geometry == WRAPAROUND &&
         (block->x.count == x->count || block->y.count == y->count ||
-         tile->reach * 0x1p22 < most(x->period, y->period)))
+         !seam_is_fine(x, tile->x, tile->reach) ||
+         !seam_is_fine(y, tile->y, tile->reach)))
         return false;
     table->count = 0;
     stage(sorted, tile->begin, tile->begin + tile->width, tile->x,

@@ -161,6 +161,29 @@ static inline void check_span_shaken(span_search *search,
         }
 }
 
+// A box that ends at a power of two: one period further on, doubles are
+// twice as coarse.
+static inline void check_span_seams(span_search *search,
+                                    const char *isa)
+{
+    const double width = 16;
+    for (int exponent = 40; exponent <= 50; exponent++)
+        for (uint32_t seed = 1; seed <= 4; seed++) {
+            test_seed(seed);
+            struct points points =
+                generate(find_distribution("uniform"), 400, seed);
+            double low = ldexp(1, exponent) - width;
+            for (uint32_t i = 0; i < points.n; i++) {
+                points.x[i] = low + width * points.x[i];
+                points.y[i] = low + width * points.y[i];
+            }
+            check_spans_of(search, isa, points,
+                           (struct space){WRAPAROUND, width, width},
+                           "far from the origin");
+            points_free(&points);
+        }
+}
+
 // Coordinates that floats cannot hold, or whose squares they cannot.
 static inline void check_span_scales(span_search *search,
                                      const char *isa)
@@ -218,6 +241,7 @@ static inline void check_spans(span_search *search, const char *isa)
     check_span_generators(search, isa);
     check_span_borders(search, isa);
     check_span_shaken(search, isa);
+    check_span_seams(search, isa);
     check_span_scales(search, isa);
     check_span_crowds(search, isa);
     check_span_edges(search, isa);
