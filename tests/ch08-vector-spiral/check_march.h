@@ -72,6 +72,21 @@ static void check_both(struct points points, const struct loops *loops,
                  loops, what);
 }
 
+// More points than the longest strip takes.
+static void check_long_strips(const struct loops *loops,
+                              const char *what)
+{
+    test_seed(5);
+    struct points points =
+        generate(find_distribution("uniform"), 4500, 5);
+    struct question question = {points, {WRAPAROUND, 1, 1}, 2};
+    struct answers right = answers_allocate(points.n);
+    search_plainly(&question, &right);
+    check_strip(&question, 1, loops, 4096, &right, what);
+    answers_free(&right);
+    points_free(&points);
+}
+
 static void check_march(const struct loops *loops, const char *name)
 {
     static const uint32_t lengths[] = {2, 9, 50, 300};
@@ -86,4 +101,5 @@ static void check_march(const struct loops *loops, const char *name)
             check_both(points, loops, what);
             points_free(&points);
         }
+    check_long_strips(loops, name);
 }

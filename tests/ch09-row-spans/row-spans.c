@@ -122,7 +122,7 @@ static void turns_of_any_length(void)
 }
 
 // The fourth chapter's search, which has faced the plainest one.
-static void a_million_as_ever(void)
+static void many_as_ever(void)
 {
     test_seed(8);
     struct question question = {
@@ -205,6 +205,6 @@ int main(void)
     return RUN_TESTS("ch09-row-spans", TEST(carried_as_sorted),
                      TEST(portable_answers), TEST(avx2_answers),
                      TEST(avx512_answers), TEST(turns_of_any_length),
-                     TEST(a_million_as_ever), TEST(counts_as_expected),
+                     TEST(many_as_ever), TEST(counts_as_expected),
                      TEST(counts_of_any_threads), TEST(ties_ask_alone));
 }
