@@ -40,31 +40,33 @@ size_t strip_bytes(uint32_t length)
                      NUMBERS * sizeof(uint32_t) + sizeof(uint8_t));
 }
 
+// In this order: the block begins with x, and ends with the bytes, so
+// that all others are aligned.
 struct strip strip_allocate(const struct primitives *primitives,
                             uint32_t length)
 {
     struct room room = {.length = (size_t)length + SPILL};
     room.next = allocate(room.length, strip_bytes(1));
-    struct strip strip = {.x = cut(&room, sizeof(double)),
-                          .y = cut(&room, sizeof(double)),
-                          .best2 = cut(&room, sizeof(double)),
-                          .point_x = cut(&room, sizeof(double)),
-                          .point_y = cut(&room, sizeof(double)),
-                          .task_x = cut(&room, sizeof(double)),
-                          .task_y = cut(&room, sizeof(double)),
-                          .best = cut(&room, sizeof(double)),
-                          .nearest = cut(&room, sizeof(uint32_t)),
-                          .ended = cut(&room, sizeof(int32_t)),
-                          .cell = cut(&room, sizeof(uint32_t)),
-                          .point = cut(&room, sizeof(uint32_t)),
-                          .least = cut(&room, sizeof(uint32_t)),
-                          .here = {0, cut(&room, sizeof(uint32_t)),
-                                   cut(&room, sizeof(uint32_t)),
-                                   cut(&room, sizeof(uint32_t))},
-                          .all = cut_tasks(&room),
-                          .some = cut_tasks(&room),
-                          .keep = cut(&room, sizeof(uint8_t)),
-                          .primitives = primitives};
+    struct strip strip = {.primitives = primitives};
+    strip.x = cut(&room, sizeof(double));
+    strip.y = cut(&room, sizeof(double));
+    strip.best2 = cut(&room, sizeof(double));
+    strip.point_x = cut(&room, sizeof(double));
+    strip.point_y = cut(&room, sizeof(double));
+    strip.task_x = cut(&room, sizeof(double));
+    strip.task_y = cut(&room, sizeof(double));
+    strip.best = cut(&room, sizeof(double));
+    strip.nearest = cut(&room, sizeof(uint32_t));
+    strip.ended = cut(&room, sizeof(int32_t));
+    strip.cell = cut(&room, sizeof(uint32_t));
+    strip.point = cut(&room, sizeof(uint32_t));
+    strip.least = cut(&room, sizeof(uint32_t));
+    strip.here.task = cut(&room, sizeof(uint32_t));
+    strip.here.at = cut(&room, sizeof(uint32_t));
+    strip.here.end = cut(&room, sizeof(uint32_t));
+    strip.all = cut_tasks(&room);
+    strip.some = cut_tasks(&room);
+    strip.keep = cut(&room, sizeof(uint8_t));
     for (uint32_t t = 0; t < length; t++)
         strip.all.task[t] = t;
     return strip;
