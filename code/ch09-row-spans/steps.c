@@ -5,6 +5,7 @@
 // alone.
 //
 //     steps [POINTS [TRIALS]]
+#include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch04-cell-sort/together.h"
@@ -76,11 +77,15 @@ static void by_fewer(void *context)
 
 //> Count a step
 // Chapter 4's searches by points compute as many distances as they find
-// points in the blocks, which is what spans find, too.
+// points in the blocks, which is what spans find, too. Its four that
+// ask together are counted as the row of the table.
 static struct counts count_step(struct steps *s, int step)
 {
+    if (step == 5)
+        return count_operations(find_algorithm("cells"), &s->question,
+                                &s->answers);
     enum manner manner = step == 4  ? SKIPPING
-                         : step < 6 ? ALONE
+                         : step < 4 ? ALONE
                                     : TOGETHER;
     counting_take();
     counting_search_row_spans(&s->question,
