@@ -61,6 +61,35 @@ EMULATED_LOAD_STORE(eight, __m512d, uint32_t, double)
 #undef _mm512_mask_storeu_pd
 #define _mm512_mask_storeu_pd emulated_store_eight
 
+// AVX2 masks lanes by their signs. SIMDe has these, but reads all
+// lanes, those beyond the end of an array, too.
+static inline __m256d emulated_load_four(const double *from,
+                                         __m256i mask)
+{
+    int64_t sign[4];
+    double to[4] = {0};
+    memcpy(sign, &mask, sizeof sign);
+    for (int i = 0; i < 4; i++)
+        if (sign[i] < 0)
+            to[i] = from[i];
+    return _mm256_loadu_pd(to);
+}
+#undef _mm256_maskload_pd
+#define _mm256_maskload_pd emulated_load_four
+
+static inline __m128i emulated_load_four32(const int32_t *from,
+                                           __m128i mask)
+{
+    int32_t sign[4], to[4] = {0};
+    memcpy(sign, &mask, sizeof sign);
+    for (int i = 0; i < 4; i++)
+        if (sign[i] < 0)
+            to[i] = from[i];
+    return _mm_loadu_si128((const __m128i *)to);
+}
+#undef _mm_maskload_epi32
+#define _mm_maskload_epi32 emulated_load_four32
+
 // ---- gather and scatter --------------------------------------------
 #define EMULATED_ROUTES(name, vector, type)                          \
     static inline vector emulated_gather_##name(                     \
