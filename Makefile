@@ -127,6 +127,7 @@ $(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
 # Vector code whose instructions are emulated by SIMDe, whose lanes wrap
 # around as signed numbers.
 emulated := $(patsubst %.c,$(BUILD)/plain/%.o,$(wildcard tests/instructions/*.c))
+$(emulated): tests/instructions/emulated/immintrin.h
 $(emulated): CPPFLAGS += -DEMULATED -isystem tests/instructions/emulated
 $(emulated): override CFLAGS += -Wno-psabi -fwrapv
 $(emulated): | $(BUILD)/setup/test

@@ -3,6 +3,7 @@
 // what a pack may spill.
 #include "ch08-vector-spiral/strip.h"
 #include "common/fail.h"
+#include <assert.h>
 #include <stdlib.h>
 
 //> Cut arrays from a block
@@ -67,6 +68,9 @@ struct strip strip_allocate(const struct primitives *primitives,
     strip.all = cut_tasks(&room);
     strip.some = cut_tasks(&room);
     strip.keep = cut(&room, sizeof(uint8_t));
+    assert((size_t)(room.next - (char *)strip.x) ==
+               room.length * strip_bytes(1) &&
+           "all is cut that was counted");
     for (uint32_t t = 0; t < length; t++)
         strip.all.task[t] = t;
     return strip;

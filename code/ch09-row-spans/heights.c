@@ -1,8 +1,9 @@
 //> Vary the number of points, all included
 // The whole time a point, sort and all, of the spiral search, of
 // chapter 4's best and of row spans, on one thread, from a thousand
-// points on; and how many points fill the caches, if a search needs
-// what row spans keep of a point.
+// points on; how many points fill the caches, if a search needs what
+// row spans keep of a point; and how many pages of memory row spans
+// give back to the system with every run and get again in the next.
 //
 //     heights [MOST]
 #include "algorithms.h"
@@ -11,6 +12,7 @@
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
+#include <sys/resource.h>
 
 // Coordinates and an index of a sorted point, two thirds of a start,
 // and an answer.
@@ -21,6 +23,18 @@ static const struct {
 } searches[] = {
     {"spiral", "spiral"}, {"cells", "cells"}, {"row-spans", "spans"}};
 enum { SEARCHES = 3 };
+
+// The pages that a search touches for the first time, though it has
+// just been run.
+static long pages_again(struct search *search)
+{
+    struct rusage before, after;
+    run_search(search);
+    getrusage(RUSAGE_SELF, &before);
+    run_search(search);
+    getrusage(RUSAGE_SELF, &after);
+    return after.ru_minflt - before.ru_minflt;
+}
 
 // Large sets take long, and differ little. What allocates much runs
 // once before it is timed; the spiral, long and without such arrays,
@@ -45,7 +59,7 @@ static void print_size(uint32_t n)
            caches.l3 / BYTES_KEPT);
     for (int k = 0; k < SEARCHES; k++)
         print_summary(&trial[k].summary, n);
-    puts("");
+    printf("\t%ld\n", pages_again(&search[SEARCHES - 1]));
     fflush(stdout);
     answers_free(&answers);
     points_free(&question.points);
@@ -60,7 +74,7 @@ int main(int argc, char **argv)
     for (int k = 0; k < SEARCHES; k++)
         printf("\t%s\t%s_q1\t%s_q3", searches[k].name, searches[k].name,
                searches[k].name);
-    puts("");
+    puts("\tpages");
     for (uint64_t n = 1000; n <= most; n *= 10)
         for (int third = 0; third < 2; third++)
             if ((third ? 3 * n : n) <= most)

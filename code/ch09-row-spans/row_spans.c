@@ -55,7 +55,8 @@ void search_in_turns(const struct question *question,
                      const struct sorted *sorted, enum manner manner,
                      uint32_t length, struct answers *answers)
 {
-    assert(length <= LONGEST_TURN && "a turn keeps its answers");
+    assert(1 <= length && length <= LONGEST_TURN &&
+           "a turn keeps its answers");
     span_search *search = search_for(isa_chosen());
     const uint32_t n = sorted->points.n, turns = (n - 1) / length + 1;
 #pragma omp parallel for num_threads(question->threads) \

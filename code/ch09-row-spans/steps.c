@@ -18,6 +18,18 @@
 #include "common/report.h"
 
 //> Hold what all steps work on
+enum step {
+    INDICES,
+    SORTED,
+    SPANS,
+    VECTORS,
+    SKIP_ROWS,
+    FOUR,
+    SIFTED,
+    FEWER,
+    STEPS
+};
+
 struct steps {
     struct question question;
     struct sorted two, fewer; // two in a cell, and as the table has it
@@ -79,18 +91,18 @@ static void by_fewer(void *context)
 // Chapter 4's searches by points compute as many distances as they find
 // points in the blocks, which is what spans find, too. Its four that
 // ask together are counted as the row of the table.
-static struct counts count_step(struct steps *s, int step)
+static struct counts count_step(struct steps *s, enum step step)
 {
-    if (step == 5)
+    if (step == FOUR)
         return count_operations(find_algorithm("cells"), &s->question,
                                 &s->answers);
-    enum manner manner = step == 4  ? SKIPPING
-                         : step < 4 ? ALONE
-                                    : TOGETHER;
+    enum manner manner = step == SKIP_ROWS  ? SKIPPING
+                         : step < SKIP_ROWS ? ALONE
+                                            : TOGETHER;
     counting_take();
     counting_search_row_spans(&s->question,
-                              step == 7 ? &s->fewer : &s->two, manner,
-                              &s->answers);
+                              step == FEWER ? &s->fewer : &s->two,
+                              manner, &s->answers);
     return counting_take();
 }
 //<
@@ -98,13 +110,19 @@ static struct counts count_step(struct steps *s, int step)
 int main(int argc, char **argv)
 {
     fail_as("steps", NULL);
-    static const char *const names[] = {"indices", "sorted",   "spans",
-                                        "vectors", "skipping", "four",
-                                        "sifted",  "fewer"};
-    static void (*const works[])(void *) = {
-        by_indices,  by_sorted, by_spans,   by_vectors,
-        by_skipping, by_four,   by_sifting, by_fewer};
-    enum { STEPS = sizeof works / sizeof *works };
+    static const struct {
+        const char *name;
+        void (*work)(void *);
+    } steps[STEPS] = {
+        [INDICES] = {"indices", by_indices},
+        [SORTED] = {"sorted", by_sorted},
+        [SPANS] = {"spans", by_spans},
+        [VECTORS] = {"vectors", by_vectors},
+        [SKIP_ROWS] = {"skipping", by_skipping},
+        [FOUR] = {"four", by_four},
+        [SIFTED] = {"sifted", by_sifting},
+        [FEWER] = {"fewer", by_fewer},
+    };
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct steps s = {.question = uniform_question(STANDARD, n, 1),
@@ -113,13 +131,14 @@ int main(int argc, char **argv)
     s.fewer = sorted_carry(&s.question, POINTS_PER_SPAN_CELL);
     struct trial trials[STEPS];
     for (int k = 0; k < STEPS; k++)
-        trials[k] = (struct trial){.work = works[k], .context = &s};
+        trials[k] =
+            (struct trial){.work = steps[k].work, .context = &s};
     time_in_turn(count, trials, STEPS);
     report_provenance(stdout);
     puts("name\tn\tdistances\talone\tns\tns_q1\tns_q3");
     for (int k = 0; k < STEPS; k++) {
         struct counts counts = count_step(&s, k);
-        printf("%s\t%u\t%.5g\t%.4g", names[k], n,
+        printf("%s\t%u\t%.5g\t%.4g", steps[k].name, n,
                (double)counts.distances / n, (double)counts.tasks / n);
         print_summary(&trials[k].summary, n);
         puts("");
