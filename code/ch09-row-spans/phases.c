@@ -77,11 +77,12 @@ static void touch_floor(void *context)
 {
     struct phases *p = context;
     const struct points points = p->question.points;
-    struct answers *answers = p->answers;
-#pragma omp parallel for simd num_threads(p->question.threads)
+    uint32_t *nearest = p->answers->nearest;
+    double *nearest2 = p->answers->nearest2;
+#pragma omp parallel for num_threads(p->question.threads)
     for (uint32_t i = 0; i < points.n; i++) {
-        answers->nearest[i] = i;
-        answers->nearest2[i] = points.x[i] + points.y[i];
+        nearest[i] = i;
+        nearest2[i] = points.x[i] + points.y[i];
     }
 }
 //<
