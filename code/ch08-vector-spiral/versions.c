@@ -4,38 +4,27 @@
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/by_primitives.h"
 #include "ch08-vector-spiral/fused.h"
-#include "ch08-vector-spiral/march.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "common/clock.h"
 #include <stddef.h>
 
-static void march_with(const struct question *question,
-                       struct loops loops, struct answers *answers)
-{
-    struct grid grid = grid_fit(question, 1);
-    struct cells cells = cells_sort(&grid, question->points);
-    answers->built_ns = clock_ns();
-    march(question, &grid, &cells, &loops, STRIP, answers, NULL, NULL);
-    cells_free(&cells);
-    grid_free(&grid);
-}
-
 void march_primitives(const struct question *question,
                       struct answers *answers)
 {
-    march_with(question, loops_by_primitives(isa_chosen()), answers);
+    sort_and_march(question, loops_by_primitives(isa_chosen()),
+                   answers);
 }
 
 void march_primitives_plain(const struct question *question,
                             struct answers *answers)
 {
-    march_with(question, loops_by_primitives(PORTABLE), answers);
+    sort_and_march(question, loops_by_primitives(PORTABLE), answers);
 }
 
 void march_fused_plain(const struct question *question,
                        struct answers *answers)
 {
-    march_with(question, loops_fused(PORTABLE), answers);
+    sort_and_march(question, loops_fused(PORTABLE), answers);
 }
 
 void spiral_in_order(const struct question *question,
