@@ -54,12 +54,14 @@ end
 local function exercises_of(chapter, list)
   local result = pandoc.List()
   for _, path in ipairs(job.exercises[chapter.id] or {}) do
-    local blocks, line = exercises.read(job, chapter, path)
+    local exercise = exercises.read(job, chapter, path)
     if #result == 0 then
       result:insert(raw_block("\\exercises{%s}", chapter.id))
     end
-    result:extend(blocks)
-    table.insert(list, line)
+    if exercise then
+      result:extend(exercises.printed(exercise))
+      table.insert(list, exercises.line(exercise))
+    end
   end
   return result
 end
@@ -164,7 +166,8 @@ local function assemble(meta)
   end
   blocks:insert(raw_block("\\openbackmatter"))
   if #exercise_list > 0 then
-    blocks:insert(raw_block("\\listofexercises\n%s",
+    blocks:insert(raw_block(
+      "\\begin{listofexercises}\n%s\n\\end{listofexercises}",
       table.concat(exercise_list, "\n")))
   end
   blocks:insert(index_of_fragments())

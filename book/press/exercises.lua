@@ -1,6 +1,7 @@
 -- The exercises of a chapter, from exercises/chNN/K-name/exercise.md:
--- front matter with title, stars, minutes, points and needs, then the
--- text. Hints and model answers are checked, but not printed.
+-- front matter with title, stars, minutes, points, needs and what it
+-- trains, then the text. Hints, model answers, reasoning and advice for
+-- marking are checked, but kept from the book.
 local context = require "context"
 local faults = require "faults"
 local files = require "files"
@@ -12,14 +13,43 @@ local exercises = {}
 
 local stringify = pandoc.utils.stringify
 local known = { title = true, stars = true, minutes = true, points = true,
-  needs = true }
+  needs = true, trains = true }
+
+-- Units of time that are whole, from so many minutes on.
+local units = {
+  { 2400, 2400, "week" }, { 480, 480, "day" }, { 180, 60, "h" },
+}
+
+-- "40 min", "3 h", "2 days", "1 week", of working hours.
+function exercises.time(minutes)
+  for _, unit in ipairs(units) do
+    local least, length, name = table.unpack(unit)
+    if minutes >= least and minutes % length == 0 then
+      local n = minutes // length
+      return ("%d~%s%s"):format(n, name, #name > 1 and n > 1 and "s" or "")
+    end
+  end
+  return ("%d~min"):format(minutes)
+end
 
 local function raw_block(text)
   return pandoc.RawBlock("latex", text)
 end
 
+local function text_of(meta, key)
+  return meta[key] and stringify(meta[key]) or ""
+end
+
+local function words(meta, key, path)
+  local text = text_of(meta, key)
+  if text == "" then
+    faults.add(path, 1, 'the exercise needs a line "%s: "', key)
+  end
+  return latex.text(text)
+end
+
 local function number(meta, key, path, low, high)
-  local n = math.tointeger(tonumber(meta[key] and stringify(meta[key]) or ""))
+  local n = math.tointeger(tonumber(text_of(meta, key)))
   if not n or n < low or n > high then
     faults.add(path, 1, 'the exercise needs a line "%s: ", from %d to %d',
       key, low, high)
@@ -28,12 +58,13 @@ local function number(meta, key, path, low, high)
   return n
 end
 
--- The exercise's blocks, and its line for the list of exercises.
+-- Reads an exercise: what its front matter says, its label and number,
+-- the blocks of its text, and what is kept from the book, by class.
 function exercises.read(job, chapter, path)
   local folder, k, name = path:match("/(ch%d%d)/(%d+)%-([%w-]+)/[^/]*$")
   if not k then
     faults.add(path, 1, "an exercise's folder is called like 1-nearest-pair")
-    return pandoc.List(), nil
+    return nil
   end
   local doc = pandoc.read(files.read(path), job.dialect)
   for key in pairs(doc.meta) do
@@ -41,30 +72,44 @@ function exercises.read(job, chapter, path)
       faults.add(path, 1, 'the front matter\'s line "%s" is unknown', key)
     end
   end
-  local title = doc.meta.title and stringify(doc.meta.title) or ""
-  if title == "" then
-    faults.add(path, 1, 'the exercise needs a line "title: "')
-  end
-  local stars = number(doc.meta, "stars", path, 1, 5)
-  local minutes = number(doc.meta, "minutes", path, 1, 10000)
-  local points = number(doc.meta, "points", path, 1, 1000)
-  local programmed =
-    files.exists((path:gsub("exercise%.md$", "solution.c")))
-  local label = ("ex:%s-%s"):format(folder, name)
-  local full = ("%d.%s"):format(chapter.number, k)
-  context.label(label, path, 1)
+  local exercise = {
+    path = path, label = ("ex:%s-%s"):format(folder, name),
+    number = ("%d.%s"):format(chapter.number, k),
+    title = words(doc.meta, "title", path),
+    stars = number(doc.meta, "stars", path, 1, 5),
+    minutes = number(doc.meta, "minutes", path, 1, 10000),
+    points = number(doc.meta, "points", path, 1, 1000),
+    trains = words(doc.meta, "trains", path),
+    needs = latex.text(text_of(doc.meta, "needs")),
+    programmed =
+      files.exists((path:gsub("exercise%.md$", "solution.c"))) or false,
+  }
+  context.label(exercise.label, path, 1)
+  local text = { source = source.open(path), id = chapter.id,
+    exercise = true, answers = {},
+    kept = { hint = {}, answer = {}, reasoning = {}, marking = {} } }
+  exercise.blocks = weave.text(text, doc.blocks)
+  exercise.kept = text.kept
+  return exercise
+end
 
-  local blocks = weave.text({ source = source.open(path), id = chapter.id,
-    exercise = true, answers = {} }, doc.blocks)
+-- The exercise as it stands in the book.
+function exercises.printed(exercise)
+  local e, blocks = exercise, pandoc.List(exercise.blocks)
   blocks:insert(1, raw_block(
-    ("\\pressat{%s:1}\\exercise{%s}{%s}{%s}{%d}{%d}{%d}{%s}"):format(path,
-      full, label, latex.text(title), stars, minutes, points,
-      programmed and "programmed" or "on paper")))
-  blocks:insert(raw_block(("\\tryexercise{%s}{%s}"):format(
-    doc.meta.needs and latex.text(stringify(doc.meta.needs)) or "",
-    programmed and full or "")))
-  return blocks, ("\\exerciseline{%s}{%s}{%s}{%d}{%d}"):format(full, label,
-    latex.text(title), stars, minutes)
+    ("\\pressat{%s:1}\\exercise{%s}{%s}{%s}{%d}{%s}{%d}{%s}"):format(e.path,
+      e.number, e.label, e.title, e.stars, exercises.time(e.minutes),
+      e.points, e.programmed and "programmed" or "on paper")))
+  blocks:insert(raw_block(("\\tryexercise{%s}{%s}"):format(e.needs,
+    e.programmed and e.number or "")))
+  return blocks
+end
+
+-- Its line in the list of exercises.
+function exercises.line(e)
+  return ("\\exerciseline{%s}{%s}{%s}{%d}{%s}{%d}{%s}{%s}"):format(e.number,
+    e.label, e.title, e.stars, exercises.time(e.minutes), e.points,
+    e.programmed and "program" or "paper", e.trains)
 end
 
 return exercises

@@ -20,7 +20,17 @@ local block, code = {}, {}
 local here -- the text being woven
 
 -- Which classes there are, and which attributes each of them knows.
-local div_attributes = { quick = {}, answer = {}, hint = {} }
+local div_attributes = { quick = {}, answer = {}, hint = {},
+  reasoning = {}, marking = {} }
+
+-- Of an exercise, for whoever asks for them: woven with the rest, but
+-- kept from the book.
+local astray = {
+  hint = "a hint belongs into an exercise",
+  answer = "this answer belongs to no question",
+  reasoning = "reasoning belongs into an exercise",
+  marking = "advice for marking belongs into an exercise",
+}
 
 local code_attributes = {
   fragment = {},
@@ -302,15 +312,15 @@ function block.Div(x)
   local class = class_of(x, div_attributes, "division", words)
   if class == "quick" then
     return quick(x)
-  elseif class == "answer" or class == "hint" then
-    -- Of an exercise, for whoever asks for them: checked with the
-    -- rest, but not printed.
-    if not here.exercise then
-      fault(words, class == "hint"
-        and "a hint belongs into an exercise"
-        or "this answer belongs to no question")
+  elseif astray[class] then
+    local kept = here.kept and here.kept[class] or {}
+    here.source:seek(words)
+    if not here.kept then
+      fault(words, "%s", astray[class])
+    elseif kept[1] and class ~= "hint" then
+      fault(words, 'the exercise has two divisions "%s"', class)
     end
-    weave.blocks(x.content)
+    table.insert(kept, weave.blocks(x.content))
     return pandoc.List()
   end
   return weave.blocks(x.content)
