@@ -242,6 +242,10 @@ exerciseN.K:
 $(exercises): exercise%: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/exercise $*
 
+#: grade all work in a folder, WORK=work, for a course's machine
+grade: | $(BUILD)/setup/code
+	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
+
 # ---- checks --------------------------------------------------------
 #: data races: the planted one is found, and no other
 check-race: | $(BUILD)/setup/check
@@ -275,4 +279,4 @@ help:
 	counting/* counting/*/*))
 
 .PHONY: all programs test test-all check-book picture chapterN measure measureN
-.PHONY: $(exercises) exerciseN.K peers check-race check-memory format clean help
+.PHONY: $(exercises) exerciseN.K grade peers check-race check-memory format clean help

@@ -1,6 +1,9 @@
 // The grader: runs the tests of an exercise against a student's file.
 //
-//   GRADER [-s SEED] [-l SECONDS] LIBRARY SOURCE SCORES [TEST...]
+//   GRADER [-s SEED] [-l SECONDS] [-n WHY] LIBRARY SOURCE SCORES
+//          [TEST...]
+//
+// -n fails every test for this reason and runs none.
 //
 // SCORES becomes a table, tab-separated, one row a test, with all that
 // a report needs. What the student's code prints is passed on, but is
@@ -140,8 +143,9 @@ static void *add_array(const char *name, size_t count, size_t size,
         fail("a test has too many arrays: call kit_next_case");
     size_t page = sysconf(_SC_PAGESIZE);
     size_t bytes = (count * size + page - 1) / page * page + page;
-    char *pages = mmap(NULL, bytes + page, PROT_READ | PROT_WRITE,
-                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    char *pages =
+        mmap(NULL, bytes + page, PROT_READ | PROT_WRITE,
+             (input ? MAP_PRIVATE : MAP_SHARED) | MAP_ANONYMOUS, -1, 0);
     if (pages == MAP_FAILED ||
         mprotect(pages + bytes, page, PROT_NONE) != 0)
         fail("no memory for the array %s", name);
@@ -581,13 +585,17 @@ static void put_cell(const char *text, char end)
     putc(end, grader.scores);
 }
 
-static void run_test(const struct kit_test *test, uint64_t seed)
+static void run_test(const struct kit_test *test, uint64_t seed,
+                     const char *lost)
 {
     grader.status = "passed";
     grader.fault = (struct kit_fault){.where = NULL};
     grader.given[0] = '\0';
-    if (setjmp(grader.end) == 0)
+    if (setjmp(grader.end) == 0) {
+        if (lost)
+            broken("missing", lost, NULL);
         test->run(seed);
+    }
     bool passed = strcmp(grader.status, "passed") == 0;
     fprintf(grader.scores, "%s\t%d\t%d\t%s\t", test->name,
             passed ? test->points : 0, test->points, grader.status);
@@ -630,12 +638,15 @@ int main(int argc, char **argv)
 {
     fail_as("grader", NULL);
     uint64_t seed = 1;
+    const char *lost = NULL;
     grader.limit = 10;
-    for (int option; (option = getopt(argc, argv, "s:l:")) != -1;) {
+    for (int option; (option = getopt(argc, argv, "s:l:n:")) != -1;) {
         if (option == 's')
             seed = strtoull(optarg, NULL, 0);
         else if (option == 'l')
             grader.limit = atof(optarg);
+        else if (option == 'n')
+            lost = optarg;
         else
             return 2;
     }
@@ -646,6 +657,6 @@ int main(int argc, char **argv)
     prepare(argv[optind + 2]);
     for (const struct kit_test *test = kit_tests; test->name; test++)
         if (wanted(test->name, argv + optind + 3))
-            run_test(test, seed);
+            run_test(test, seed, lost);
     return 0;
 }

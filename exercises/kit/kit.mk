@@ -40,11 +40,19 @@ endef
 $(foreach v,sanitized optimized,$(eval $(call variant_rules,$(v))))
 
 # ---- the student's file: SOURCE, as a library TO -------------------
+# The shell expands both names, for they may be anything. TO.d lists
+# all that was included.
+export SOURCE TO
 library:
 	$(CC) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
 		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
-		-c $(SOURCE) -o $(TO).o
-	$(CC) $($(VARIANT)) -shared -Wl,-Bsymbolic $(TO).o -o $(TO) -lm
+		-MD -MF "$$TO.d" -c "$$SOURCE" -o "$$TO.o"
+	$(CC) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
+
+# ---- the reports ---------------------------------------------------
+$(K)/results: exercises/kit/results.c
+	@mkdir -p $(@D)
+	$(CC) $(optimized) $< -o $@
 
 $(K)/%/starter.c: exercises/%/solution.c exercises/%/exercise.md \
 		exercises/kit/starter.awk

@@ -1,12 +1,19 @@
 # Reports two runs of a grader: usage
 #   awk -f report.awk -v key=2.1 -v title=TITLE -v out=SCORES FIRST SECOND
 # Tells every failure, prints the score table, and writes both runs as
-# one table: a test earns its points if it passes in both.
+# one table: a test earns what it earns in both. What could not be
+# graded is out of how many points.
 
 BEGIN { FS = OFS = "\t" }
 FNR == 1 { run++; head = $0; next }
-!($1 in about) { names[++tests] = $1; about[$1] = $5; worth[$1] = $3 }
-{ status[$1, run] = $4; row[$1] = $0 }
+!($1 in about) { names[++tests] = $1; about[$1] = $5 }
+{
+    status[$1, run] = $4
+    points[$1] = $1 in row && points[$1] < $2 ? points[$1] : $2
+    worth[$1] = $3
+    row[$1] = $0
+    runs[$1] = run
+}
 $4 != "passed" { tell() }
 
 # A labelled text, wrapped at 72 columns.
@@ -38,6 +45,12 @@ function kind(    place, words) {
     return words place $11
 }
 
+function headline() {
+    if ($4 == "not graded")
+        return "NOT GRADED"
+    return $4 == "wrong" ? $2 > 0 ? "PARTLY" : "WRONG" : "FAILED"
+}
+
 # A crash is told once, with the tests in which it happens again.
 function tell() {
     if ($9 == "" && kind() in first) {
@@ -45,7 +58,7 @@ function tell() {
         return
     }
     first[kind()] = $1
-    printf "\n%s  %s: %s\n", $4 == "wrong" ? "WRONG" : "FAILED", $1, $5
+    printf "\n%s  %s: %s\n", headline(), $1, $5
     line("where", $8)
     line("expected", $9)
     line("found", $10)
@@ -68,13 +81,16 @@ END {
     print head > out
     for (t = 1; t <= tests; t++) {
         n = names[t]
-        passed = cell(n, 1) == "passed" && cell(n, 2) == "passed"
+        $0 = row[n]
+        if (runs[n] < 2) # no points without the second run
+            points[n] = 0
+        $2 = points[n]
+        print > out
         printf "  %-44s %-10s %-10s %2d / %d\n", about[n], cell(n, 1),
-            cell(n, 2), passed * worth[n], worth[n]
-        points += passed * worth[n]
+            cell(n, 2), points[n], worth[n]
+        earned += points[n]
         of += worth[n]
-        print row[n] > out
     }
-    printf "  %-44s %-10s %-10s %2d / %d\n", "", "", "", points, of
-    exit points < of
+    printf "  %-44s %-10s %-10s %2d / %d\n", "", "", "", earned, of
+    exit earned < of
 }
