@@ -11,6 +11,7 @@ local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
 local latex = require "latex"
+local sheet = require "sheet"
 local source = require "source"
 local values = require "values"
 local weave = require "weave"
@@ -188,12 +189,16 @@ local function also_cited()
 end
 
 function Pandoc(doc)
-  doc.blocks = assemble(doc.meta)
+  if job.sheet then
+    doc.blocks = sheet.assemble(job, doc.meta)
+  else
+    doc.blocks = assemble(doc.meta)
+    fragments.check_shown(book.fragments)
+  end
   doc.meta.nocite = also_cited()
   doc.meta.emblem = pandoc.MetaInlines { pandoc.RawInline("latex", emblem) }
   doc.meta.figures = job.build .. "/figures/"
   context.check_references()
-  fragments.check_shown(book.fragments)
   files.write(job.folder .. "/faults", faults.report())
   files.write(job.folder .. "/notes", faults.report_notes())
   return doc

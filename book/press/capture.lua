@@ -36,7 +36,7 @@ function capture.compile(job, text, path, line, parameters)
   table.insert(program, ('#line %d "%s"'):format(line, path))
   table.insert(program, text)
   if parameters then table.insert(program, "}") end
-  local file = job.build .. "/book/illustration.c"
+  local file = job.folder .. "/illustration.c"
   files.write(file, table.concat(program, "\n") .. "\n")
   local output, status = run(("%s -std=c17 -fopenmp -D_GNU_SOURCE %s " ..
     "-Icode -c -o /dev/null '%s'"):format(job.cc, WARNINGS, file))

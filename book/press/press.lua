@@ -2,12 +2,15 @@
 --
 --   texlua book/press/press.lua [--check | --draft] [--root DIR]
 --                               [--build DIR]
+--   texlua book/press/press.lua --sheet PDF TITLE DUE HOW EXERCISE.MD...
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
 -- of every chapter. Programs must have been built and figures drawn
 -- before. A fault is reported as "file:line: sentence"; then there is no
 -- book, and the exit status is 1. --check does everything but LaTeX;
 -- --draft sets what there is, faults and all, as BUILD/draft.pdf.
+-- --sheet prints chosen exercises as an assignment, which ends with the
+-- Markdown file HOW.
 local lfs = require "lfs"
 
 local here = arg[0]:match("^(.*)/[^/]*$") or "."
@@ -29,7 +32,7 @@ local function absolute(path)
 end
 
 -- ---- the command line -------------------------------------------------
-local root, build, mode = lfs.currentdir(), nil, nil
+local root, build, mode, sheet = lfs.currentdir(), nil, nil, nil
 local i = 1
 while arg[i] do
   if arg[i] == "--check" or arg[i] == "--draft" then
@@ -40,6 +43,11 @@ while arg[i] do
   elseif arg[i] == "--build" and arg[i + 1] then
     i = i + 1
     build = absolute(arg[i])
+  elseif arg[i] == "--sheet" and arg[i + 5] then
+    sheet = { pdf = absolute(arg[i + 1]), title = arg[i + 2],
+      due = arg[i + 3], how = absolute(arg[i + 4]),
+      exercises = { table.unpack(arg, i + 5) } }
+    i = #arg
   else
     usage("what is " .. arg[i] .. "?")
   end
@@ -75,7 +83,7 @@ local function make_folder(path)
   lfs.mkdir(path)
 end
 
-local folder = build .. "/book"
+local folder = build .. (sheet and "/sheets/press" or "/book")
 make_folder(folder)
 
 local job = {
@@ -87,7 +95,7 @@ local job = {
   data = below("book/data", "%.tsv$"),
   chapters = below("chapters", "^chapters/ch%d%d[^/]*%.md$"),
   appendices = below("chapters", "^chapters/appendix%-[^/]*%.md$"),
-  exercises = {}, headers = {},
+  exercises = {}, headers = {}, sheet = sheet,
 }
 for _, path in ipairs(below("exercises", "/exercise%.md$")) do
   local chapter = path:match("^exercises/([^/]*)/")
@@ -161,7 +169,7 @@ weave()
 if mode == "--check" then os.exit(0) end
 files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
 local chapters = {}
-for _, path in ipairs(job.chapters) do
+for _, path in ipairs(sheet and {} or job.chapters) do
   table.insert(chapters, about(path))
 end
 local sources = below("exercises", "/exercise%.md$")
@@ -171,5 +179,6 @@ for _, list in ipairs { job.code, job.chapters, job.appendices, job.data,
 end
 typeset.run(folder, chapters, sources)
 stop_at(faults.report())
-local pdf = mode == "--draft" and "/draft.pdf" or "/near-and-far.pdf"
-if not os.rename(folder .. "/book.pdf", build .. pdf) then os.exit(1) end
+local pdf = sheet and sheet.pdf
+  or build .. (mode == "--draft" and "/draft.pdf" or "/near-and-far.pdf")
+if not os.rename(folder .. "/book.pdf", pdf) then os.exit(1) end
