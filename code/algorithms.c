@@ -15,6 +15,7 @@
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "ch09-row-spans/row_spans.h"
+#include "ch10-furthest/hull.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,6 +59,8 @@ const struct algorithm TABLE[] = {
      "sorted by all threads", cells_threads},
     {"row-spans", 9, STANDARD | WRAPAROUND, NEAREST, "n",
      "eight share three spans", row_spans},
+    {"furthest-hull", 10, STANDARD, FURTHEST, "n log n",
+     "corners of the hull", furthest_hull},
 };
 //<
 
