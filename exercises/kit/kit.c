@@ -12,9 +12,12 @@
 #include "common/clock.h"
 #include "common/fail.h"
 #include "common/generate.h"
+#include "confine.h"
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <math.h>
+#include <omp.h>
+#include <poll.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -22,7 +25,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -45,6 +47,7 @@ enum {
     ARRAYS_MAX = 64,
     OUTPUT_MAX = 1 << 20, // bytes that a call may print
     MEMORY_MAX = 4,       // GB that it may ask for
+    CALLS_MAX = 20,       // limits that all calls together may take
     SHOWN_MAX = 12,       // lines of its output that are passed on
     REPORT_MAX = 300,     // bytes of a sanitizer's sentence
     SANITIZER_STATUS = 99,
@@ -68,8 +71,11 @@ struct trace {
 static struct {
     const char *source; // as the student knows it
     const char *library;
-    double limit; // seconds a call may take
-    int printed;  // the file that catches what a call prints
+    int file;       // the library, open
+    double limit;   // seconds a call may take
+    double budget;  // and all that are still to come
+    double seconds; // that the last one took
+    int printed;    // the file that catches what a call prints
     FILE *scores;
     struct trace *trace;
 
@@ -93,7 +99,7 @@ static struct {
 const char *__asan_default_options(void);
 const char *__asan_default_options(void)
 {
-    return "detect_leaks=0:exitcode=99";
+    return "detect_leaks=0:exitcode=99:symbolize=0";
 }
 
 const char *__ubsan_default_options(void);
@@ -219,30 +225,6 @@ static void catch_refused_accesses(void)
     sigaction(SIGSEGV, &action, &student.refused_before);
 }
 
-static void limit(int resource, rlim_t most)
-{
-    setrlimit(resource, &(struct rlimit){most, most});
-}
-
-// What is mapped already counts too, and a sanitizer maps terabytes.
-static void limit_memory(void)
-{
-    FILE *file = fopen("/proc/self/statm", "r");
-    long pages;
-    if (file && fscanf(file, "%ld", &pages) == 1)
-        limit(RLIMIT_AS, (rlim_t)pages * sysconf(_SC_PAGESIZE) +
-                             ((rlim_t)MEMORY_MAX << 30));
-    if (file)
-        fclose(file);
-}
-
-static void set_limits(void)
-{
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, OUTPUT_MAX);
-    limit_memory();
-}
-
 static void protect_arrays(void)
 {
     for (int a = 0; a < grader.array_count; a++) {
@@ -262,20 +244,40 @@ static _Noreturn void give_up(const char *problem, const char *name)
     _exit(1);
 }
 
-static void become_student(void)
+// The name of the file that is open, for this process.
+static const char *loaded_name(void)
 {
-    setpgid(0, 0);
+    static char name[64];
+#ifdef __linux__
+    snprintf(name, sizeof name, "/proc/self/fd/%d", grader.file);
+#else
+    snprintf(name, sizeof name, "/dev/fd/%d", grader.file);
+#endif
+    return name;
+}
+
+static size_t memory_limit(void)
+{
+    double there =
+        (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+    return fmin((double)MEMORY_MAX * (1 << 30), there / 2);
+}
+
+static void become_student(int pipe)
+{
     int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(grader.printed, STDOUT_FILENO);
     dup2(grader.printed, STDERR_FILENO);
-    close(grader.printed);
-    close(fileno(grader.scores));
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // a crash loses nothing
-    set_limits();
+    omp_get_num_procs(); // has OpenMP look around while it may
     protect_arrays();
     catch_refused_accesses();
-    student.library = dlopen(grader.library, RTLD_NOW | RTLD_LOCAL);
+    confine((struct limits){.seconds = grader.limit,
+                            .printed = OUTPUT_MAX,
+                            .memory = memory_limit(),
+                            .keep = {grader.file, pipe}});
+    student.library = dlopen(loaded_name(), RTLD_NOW | RTLD_LOCAL);
     if (!student.library) {
         const char *why = dlerror(), *key = "undefined symbol: ";
         const char *symbol = strstr(why, key);
@@ -284,7 +286,12 @@ static void become_student(void)
                     symbol + strlen(key));
         give_up("it cannot be loaded:", why);
     }
+    close(grader.file);
     grader.trace->loaded = true;
+    if (write(pipe, "", 1) != 1)
+        _exit(1);
+    if (!SANITIZED) // which reads files for its report
+        confine_to_computing();
 }
 
 void (*kit_function(const char *name))(void)
@@ -349,6 +356,16 @@ static char *find_report(char *printed)
     return begin;
 }
 
+static void put_line(const char *text, int length)
+{
+    fputs("    | ", stdout);
+    for (int k = 0; k < length; k++)
+        putchar((unsigned char)text[k] < ' ' && text[k] != '\t'
+                    ? '?'
+                    : text[k]);
+    putchar('\n');
+}
+
 static void pass_on(const char *text, const char *end)
 {
     for (int lines = 0; text < end && *text; lines++) {
@@ -357,15 +374,57 @@ static void pass_on(const char *text, const char *end)
             break;
         }
         int length = strcspn(text, "\n");
-        printf("    | %.*s\n", length, text);
+        put_line(text, length);
         text += length + (text[length] == '\n');
     }
     fflush(stdout);
 }
 
+// The line of the student's file in which the machine code at this
+// place of its library stands, or 0.
+static int line_at(const char *place)
+{
+    int ends[2];
+    pid_t process = pipe(ends) == 0 ? fork() : -1;
+    if (process < 0)
+        return 0;
+    if (process == 0) {
+        dup2(ends[1], STDOUT_FILENO);
+        execlp("addr2line", "addr2line", "-s", "-e", grader.library,
+               place, (char *)NULL);
+        _exit(1);
+    }
+    close(ends[1]);
+    char said[512] = "";
+    int line = 0;
+    ssize_t got = read(ends[0], said, sizeof said - 1);
+    close(ends[0]);
+    waitpid(process, NULL, 0);
+    const char *name = strrchr(grader.source, '/');
+    name = name ? name + 1 : grader.source;
+    size_t length = strlen(name);
+    if (got > 0 && strncmp(said, name, length) == 0)
+        sscanf(said + length, ":%d", &line);
+    return line;
+}
+
 // The line of the student's file that a report names first, or 0.
 static int line_in(const char *report)
 {
+    enum { FRAMES_MAX = 8 };
+    const char *frame = report;
+    for (int frames = 0; frames < FRAMES_MAX; frames++) {
+        char place[32];
+        frame = strstr(frame, loaded_name());
+        if (!frame)
+            break;
+        frame += strlen(loaded_name());
+        if (sscanf(frame, "+%31[0-9a-fx]", place) != 1)
+            continue;
+        int line = line_at(place);
+        if (line > 0)
+            return line;
+    }
     const char *name = strrchr(grader.source, '/');
     name = name ? name + 1 : grader.source;
     for (; (report = strstr(report, name)); report++) {
@@ -502,7 +561,7 @@ static void judge(int status, const char *report)
     if (*report && WIFEXITED(status) &&
         WEXITSTATUS(status) == SANITIZER_STATUS)
         judge_report(report);
-    if (WIFSIGNALED(status))
+    if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU)
         judge_signal(WTERMSIG(status));
     if (trace->problem[0])
         broken("missing", kit_text("%s", trace->problem),
@@ -525,22 +584,41 @@ static void judge(int status, const char *report)
 }
 
 // Waits for the process, though not for ever: false if it did not end.
-static bool wait_for(pid_t process, int *status)
+// It holds the other end of a pipe, into which it writes when it begins
+// to work; the system closes it when the process is gone. So we know
+// how long it worked, whatever it says.
+static bool wait_for(pid_t process, int pipe, int *status)
 {
-    const double longest = 0.01;
-    double nap = 50e-6;
-    int64_t start = clock_ns();
-    while (waitpid(process, status, WNOHANG) == 0) {
-        if ((clock_ns() - start) * 1e-9 > grader.limit) {
-            kill(-process, SIGKILL);
-            waitpid(process, status, 0);
-            return false;
+    const long longest = 10000000; // ns
+    long nap = 50000;
+    int64_t begin = clock_ns(), start = begin;
+    double limit = fmin(grader.limit, fmax(grader.budget, 1));
+    bool ended = false, open = true;
+    for (;;) {
+        ended = !open && waitpid(process, status, WNOHANG) == process;
+        int64_t now = clock_ns();
+        double left = limit - (now - begin) * 1e-9;
+        if (ended || left < 0) {
+            grader.seconds = (now - start) * 1e-9;
+            grader.budget -= (now - begin) * 1e-9;
+            break;
         }
-        nanosleep(&(struct timespec){.tv_nsec = nap * 1e9}, NULL);
-        nap = nap < longest ? 1.5 * nap : longest;
+        if (open) {
+            struct pollfd wanted = {pipe, POLLIN, 0};
+            char byte;
+            if (poll(&wanted, 1, (int)ceil(left * 1e3)) <= 0)
+                continue;
+            if (read(pipe, &byte, 1) <= 0)
+                open = false;
+            else if (start == begin)
+                start = clock_ns();
+        } else {
+            nanosleep(&(struct timespec){.tv_nsec = nap}, NULL);
+            nap = nap < longest ? nap + nap / 2 : longest;
+        }
     }
-    kill(-process, SIGKILL); // what it may have left running
-    return true;
+    end_children(process);
+    return ended;
 }
 
 bool kit_enter(void)
@@ -550,22 +628,23 @@ bool kit_enter(void)
         fail("cannot empty the file for what is printed");
     lseek(grader.printed, 0, SEEK_SET);
     fflush(NULL);
-    pid_t process = fork();
+    int ends[2], status = 0;
+    pid_t process = pipe(ends) == 0 ? fork() : -1;
     if (process < 0)
         fail("cannot start a process");
     if (process == 0) {
-        become_student();
+        become_student(ends[1]);
         return true;
     }
-    setpgid(process, process);
-    int status;
-    bool ended = wait_for(process, &status);
+    close(ends[1]);
+    bool ended = wait_for(process, ends[0], &status);
+    close(ends[0]);
     char *printed = read_printed();
     char *report = find_report(printed);
     pass_on(printed, report);
     if (!ended) {
         const char *found =
-            kit_text("no answer after %g seconds", grader.limit);
+            kit_text("no answer after %.3g seconds", grader.seconds);
         grader.limit = fmax(grader.limit / 2, 1); // do not wait long
         broken("stopped", found,
                "A loop that never ends, or one whose time grows too "
@@ -630,6 +709,7 @@ static void prepare(const char *scores)
     if (!printed || !grader.scores || grader.trace == MAP_FAILED)
         fail("cannot write %s, or no memory", scores);
     grader.printed = fileno(printed);
+    grader.file = open(grader.library, O_RDONLY);
     fprintf(grader.scores, "test\tpoints\tof\tstatus\tabout\tseed\t"
                            "given\twhere\texpected\tfound\tcause\n");
 }
@@ -654,7 +734,9 @@ int main(int argc, char **argv)
         fail("say LIBRARY SOURCE SCORES");
     grader.library = argv[optind];
     grader.source = argv[optind + 1];
+    grader.budget = CALLS_MAX * grader.limit;
     prepare(argv[optind + 2]);
+    guard_judge();
     for (const struct kit_test *test = kit_tests; test->name; test++)
         if (wanted(test->name, argv + optind + 3))
             run_test(test, seed, lost);

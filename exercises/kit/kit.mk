@@ -32,7 +32,7 @@ $(K)/$(1)/%.o: exercises/kit/%.c $(headers)
 	$$(CC) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%/grader: exercises/%/tests.c exercises/%/exercise.h \
-		$(K)/$(1)/kit.o $(K)/$(1)/slow_motion.o $(modules:%=$(K)/$(1)/%.o)
+		$(K)/$(1)/kit.o $(K)/$(1)/confine.o $(K)/$(1)/slow_motion.o $(modules:%=$(K)/$(1)/%.o)
 	@mkdir -p $$(@D)
 	$$(CC) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
 		$$(filter %.c %.o,$$^) -o $$@ -lm -ldl
