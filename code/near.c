@@ -5,6 +5,7 @@
 #include "common/clock.h"
 #include "common/fail.h"
 #include "near_check.h"
+#include "near_help.h"
 #include "near_options.h"
 #include "near_progress.h"
 #include "near_write.h"

@@ -15,44 +15,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-//> Explain the options
-void print_help(void)
-{
-    puts("Finds every point's nearest and furthest neighbor.\n"
-         "\n"
-         "  near [options] FILE   points from a file ('-': standard "
-         "input)\n"
-         "  near [options] -n N   N random points\n"
-         "\n"
-         "Points\n"
-         "  -n N            how many, 1e5 is fine\n"
-         "  -d DIST         their distribution (uniform); see --list\n"
-         "  -s SEED         other points for another seed (1)\n"
-         "  --columns I,J   the columns of FILE that hold x and y\n"
-         "Question\n"
-         "  -a NAME         the algorithm (the fastest); see --list\n"
-         "  -g GEOMETRY     standard or wraparound (standard)\n"
-         "  --box X0,Y0,X1,Y1  the box that wraps around (0,0,1,1)\n"
-         "  -t THREADS      how many threads (all)\n"
-         "  -r TRIALS       how often to answer (1)\n"
-         "Answer\n"
-         "  -o FILE         write the answers to FILE ('-': standard "
-         "output)\n"
-         "  --timing        print a table of times and counts, a row a "
-         "trial\n"
-         "  --check         compare with a naive search\n"
-         "  --list          the algorithms and the distributions\n"
-         "Environment\n"
-         "  NEAR_ISA=NAME   use portable, avx2 or avx512 instructions "
-         "(the most)\n"
-         "\n"
-         "A FILE has two numbers a line, or is a TSPLIB file. The exit "
-         "status is\n"
-         "1 if --check finds a wrong answer, 2 if near cannot do what "
-         "is asked.");
-}
-//<
-
 //> List what can be named
 static const char *names_of_geometries(unsigned set)
 {

@@ -25,6 +25,5 @@ struct options {
 // Fails with a sentence on anything it does not understand.
 struct options parse_options(int argc, char **argv);
 
-void print_help(void);
 void print_list(void);
 //<

@@ -1,6 +1,7 @@
 // What `near --check` rests on: a wrong answer must not pass.
 #include "harness.h"
 #include "near_check.h"
+#include "status.h"
 #include <stddef.h>
 
 // Five points on a line: 0 1 3 6 10.
@@ -118,5 +119,6 @@ static void duplicates_are_not_oneself(void)
 int main(void)
 {
     return RUN_TESTS("near", TEST(wrong_answers_are_found),
-                     TEST(duplicates_are_not_oneself));
+                     TEST(duplicates_are_not_oneself),
+                     TEST(a_mistake_has_status_1));
 }

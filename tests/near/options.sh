@@ -55,11 +55,6 @@ unset NEAR_ISA
 accepts 'a number with an exponent' -n 1e2
 accepts 'more threads than cores' -n 100 -t 64
 accepts 'the largest seed' -n 10 -s 18446744073709551615
-accepts '--help' --help
-says 'names every option' '' "$(for option in -n -d -s --columns -a -g --box \
-    -t -r -o --timing --check --list NEAR_ISA; do
-    grep -q -e "^  $option[ =]" "$out" || echo "$option"
-done)"
 accepts '--list' --list
 for row in uniform clustered lattice circle kuzmin two-clusters equal collinear; do
     grep -q "^$row  *[a-zA-Z]" "$out" && ok "--list has $row" ||
