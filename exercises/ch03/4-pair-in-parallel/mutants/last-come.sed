@@ -1,3 +1,4 @@
 # Where threads tie, the one that comes last wins.
 # expect: whichever thread came
+# why: The same, with "<=" where the threads hand in.
 s/better(mine, best)/mine.distance2 <= best.distance2/

@@ -1,3 +1,4 @@
 # The upper border is never looked at.
 # expect: on all four
+# why: Four cases, copied and changed, and one of them was not.
 s/side < SIDES/side < ABOVE/

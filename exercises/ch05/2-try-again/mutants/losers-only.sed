@@ -1,5 +1,6 @@
 # The winners are sorted out before anybody is counted.
 # expect: Only the losers were counted
+# why: "Try again" is read as "only then count".
 /gather(COUNTS/,/scatter(COUNTS/d
 s/^    return losers;/    if (losers > 0) {\
 gather(COUNTS, losers, cell, count);\

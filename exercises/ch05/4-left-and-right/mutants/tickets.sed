@@ -1,5 +1,6 @@
 # Every point draws the next place from a counter, atomically.
 # expect: they took their places as they came
+# why: An atomic counter never gives a place twice, and the order is not looked at.
 s/^uint32_t divide/static uint32_t next[2];\
 &/
 s/lefts = left\[all\];/& next[0] = 0; next[1] = lefts;/

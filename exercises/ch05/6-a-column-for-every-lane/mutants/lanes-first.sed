@@ -1,5 +1,6 @@
 # The counts of a lane stand together, not those of a cell.
 # expect: not together by cells
+# why: A histogram for each lane is drawn as an array for each lane.
 s/static uint32_t step/static uint32_t cells(uint32_t n, const uint32_t *cell)\
 {\
     uint32_t most = 0;\

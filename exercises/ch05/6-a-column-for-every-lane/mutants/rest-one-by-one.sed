@@ -1,5 +1,6 @@
 # What does not fill all lanes is done by the last lane alone.
 # expect: let the blocks be n / LANES, rounded up
+# why: The remainder loop is a habit from vector code, where it costs little.
 s/(n + LANES - 1) \/ LANES/n \/ LANES/
 s/uint32_t i = k; i < n && lanes < LANES; i += block/uint32_t i = k; i < block * LANES \&\& lanes < LANES; i += block/
 s/^    return lanes;/    if (k >= block) {\
