@@ -1,3 +1,4 @@
 # Takes the value first and counts down afterwards.
 # expect: Survivors are taken from one place too far
+# why: "values[left--]" and "values[--left]" are told apart by trying.
 s/--left/left--/

@@ -1,5 +1,6 @@
 # Blocks, but their sums one by one.
 # expect: as small as can be
+# why: It is the chapter's scan, and the best one for few threads.
 /^{/,/^}/c\
 {\
     uint32_t b = 1;\

@@ -1,5 +1,6 @@
 # In every step everybody joins, and the distance doubles.
 # expect: Few steps, but
+# why: It is the scan of Hillis and Steele, found in every course on graphics processors.
 /^{/,/^}/c\
 {\
     for (uint32_t i = 0; i < n; i++)\

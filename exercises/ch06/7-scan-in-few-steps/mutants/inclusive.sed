@@ -1,5 +1,6 @@
 # Adds the element itself, too.
 # expect: This is the inclusive scan
+# why: Inclusive sums are what a loop makes without thinking.
 /^{/,/^}/c\
 {\
     struct sum sum = nothing;\

@@ -1,5 +1,6 @@
 # The plain loop.
 # expect: Every join waits for the one before it
+# why: The plain loop is in the starter, and right.
 /^{/,/^}/c\
 {\
     for (uint32_t i = 0; i < n; i++)\
