@@ -20,6 +20,11 @@
 
 #if defined __linux__ && (defined __x86_64__ || defined __aarch64__)
 #define RULES true
+#ifdef __x86_64__
+#define MACHINE AUDIT_ARCH_X86_64
+#else
+#define MACHINE AUDIT_ARCH_AARCH64
+#endif
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -132,11 +137,6 @@ enum {
     COMPUTING = sizeof computing / sizeof *computing,
     READING = sizeof reading / sizeof *reading,
     FILTER_MAX = 8 * (COMPUTING + READING + 8),
-#ifdef __x86_64__
-    MACHINE = AUDIT_ARCH_X86_64,
-#else
-    MACHINE = AUDIT_ARCH_AARCH64,
-#endif
 };
 
 static struct sock_filter filter[FILTER_MAX];

@@ -57,9 +57,49 @@ struct kit_fault {
     const char *expected; // and what was
     const char *found;    // instead
     const char *cause;    // the likely one, in a sentence
+    int points;           // what is earned all the same
 };
 #define WRONG(...) kit_wrong((struct kit_fault){__VA_ARGS__})
 _Noreturn void kit_wrong(struct kit_fault fault);
+
+// The test cannot be graded here and now, and says why. Its points are
+// neither earned nor lost.
+_Noreturn void kit_not_graded(const char *why);
+
+// ---- marks in bands ------------------------------------------------
+
+// The test passes if the value is within the first band; otherwise it
+// has failed, but keeps the points of the band in which the value is.
+// A row without anything ends the bands.
+struct kit_band {
+    double most;
+    int points;
+};
+void kit_bands(double value, const struct kit_band *bands,
+               struct kit_fault fault);
+
+// By which power of n a cost grows: the slope of the straight line
+// through (log n, log cost). Costs are counts, greater than 0.
+double kit_growth(int count, const double *n, const double *cost);
+
+// How many times as long as the reference the student's function takes.
+// Each of the two functions makes one CALL, of 20 ms or more; they run
+// in turn, and the best times count: of the processor if it is for one
+// core, or else as the clock says. Does not return where the machine
+// has not so many cores, or where the times do not settle. With the
+// sanitizers there is nothing to measure: 0.
+struct kit_race {
+    void (*student)(void), (*reference)(void);
+    int cores;
+};
+double kit_race(struct kit_race race);
+
+// Of the last CALL, as the judge saw it; of all processors together, or
+// by the clock.
+double kit_seconds(bool by_clock);
+bool kit_is_sanitized(void);
+
+// ---- text ----------------------------------------------------------
 
 // Text for a fault; lasts as long as the arrays.
 const char *kit_text(const char *format, ...)

@@ -19,6 +19,7 @@ slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thr
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
 modules    := $(patsubst code/%.c,%,$(wildcard code/common/*.c))
+kit_modules := kit confine marks slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 
 # ---- graders -------------------------------------------------------
@@ -32,7 +33,7 @@ $(K)/$(1)/%.o: exercises/kit/%.c $(headers)
 	$$(CC) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%/grader: exercises/%/tests.c exercises/%/exercise.h \
-		$(K)/$(1)/kit.o $(K)/$(1)/confine.o $(K)/$(1)/slow_motion.o $(modules:%=$(K)/$(1)/%.o)
+		$(kit_modules:%=$(K)/$(1)/%.o) $(modules:%=$(K)/$(1)/%.o)
 	@mkdir -p $$(@D)
 	$$(CC) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
 		$$(filter %.c %.o,$$^) -o $$@ -lm -ldl

@@ -2,16 +2,16 @@
 #include "exercise.h"
 #include <math.h>
 
-uint32_t nearest_early(struct points points, uint32_t i)
+uint32_t nearest_early(uint32_t n, const double *x, uint32_t i)
 {
     //- solution
     uint32_t nearest = i;
     double nearest2 = INFINITY;
-    for (uint32_t j = 0; j < points.n; j++) {
-        double dx = points.x[j] - points.x[i];
+    for (uint32_t j = 0; j < n; j++) {
+        double dx = x[j] - x[i];
         if (j == i || dx * dx >= nearest2)
             continue;
-        double d2 = measure(points, i, j);
+        double d2 = measure(i, j);
         if (d2 < nearest2) {
             nearest = j;
             nearest2 = d2;
@@ -22,8 +22,8 @@ uint32_t nearest_early(struct points points, uint32_t i)
     // // Your turn: this measures every distance, and gets it wrong.
     // uint32_t nearest = 0;
     // double nearest2 = INFINITY;
-    // for (uint32_t j = 0; j < points.n; j++) {
-    //     double d2 = measure(points, i, j);
+    // for (uint32_t j = 0; j < n; j++) {
+    //     double d2 = measure(i, j);
     //     if (d2 < nearest2) {
     //         nearest = j;
     //         nearest2 = d2;

@@ -1,12 +1,13 @@
 // Tests of the early exit: answers, and the count of the distances
 // measured, against a search in the points' own order and against the
-// searches that students write instead.
+// searches that students write instead; and how the count grows.
 #include "common/geometry.h"
 #include "exercise.h"
 #include "kit.h"
 
-// Distances measured for each point, written by the student's process,
-// and the point that it is asked for.
+// All that measure() knows: the points, how many distances were
+// measured for each, and the point that it is asked for.
+static struct points set;
 static uint64_t *measured;
 static uint32_t asked;
 
@@ -16,10 +17,10 @@ static double between(struct points points, uint32_t i, uint32_t j)
                      points.y[j] - points.y[i]);
 }
 
-double measure(struct points points, uint32_t i, uint32_t j)
+double measure(uint32_t i, uint32_t j)
 {
     measured[asked]++;
-    return between(points, i, j);
+    return between(set, i, j);
 }
 
 enum rule { RIGHT, NOT_SQUARED, BREAK, SIGNED, TIES, ITSELF };
@@ -103,8 +104,9 @@ static void ask_for_all(struct points points)
     measured = kit_output("the counts", points.n, sizeof *measured);
     for (uint32_t i = 0; i < points.n; i++)
         measured[i] = 0;
-    CALL(for (asked = 0; asked < points.n; asked++) found[asked] =
-             STUDENT(nearest_early)(points, asked));
+    set = points;
+    CALL(for (asked = 0; asked < set.n; asked++) found[asked] =
+             STUDENT(nearest_early)(set.n, set.x, asked));
     for (uint32_t i = 0; i < points.n; i++) {
         uint32_t right = search(points, i, RIGHT).nearest;
         if (found[i] != right)
@@ -176,12 +178,39 @@ static void count_lattice(uint64_t seed)
     count_for_all(kit_points("lattice", 400, seed));
 }
 
+static void growth(uint64_t seed)
+{
+    enum { SETS = 5 };
+    double n[SETS], count[SETS];
+    for (int s = 0; s < SETS; s++) {
+        n[s] = 100 << s;
+        count[s] = 0;
+        struct points points = kit_points("uniform", 100u << s, seed);
+        ask_for_all(points);
+        for (uint32_t i = 0; i < points.n; i++)
+            count[s] += (double)measured[i];
+        count[s] /= n[s];
+        kit_next_case();
+    }
+    double slope = kit_growth(SETS, n, count);
+    kit_given("100 to 1,600 points, uniform");
+    kit_bands(slope, (struct kit_band[]){{0.6, 2}, {0.9, 1}, {0, 0}},
+              (struct kit_fault){
+                  .expected = "a count for each point that grows like "
+                              "the square root of n, or n to the 0.6",
+                  .found = kit_text("n to the %.2f", slope),
+                  .cause = "The better the best so far, the narrower "
+                           "the strip: on both sides of the point, "
+                           "and with the best so far, not the first."});
+}
+
 const struct kit_test kit_tests[] = {
     {"right", 2, "the right neighbors", right},
     {"ties", 1, "the lowest index if several tie", ties},
     {"same-x", 1, "where x decides nothing", same_x},
     {"large", 1, "coordinates up to a thousand", large},
-    {"count", 3, "few distances, 1,000 uniform points", count_uniform},
-    {"count-lattice", 2, "few distances, on a lattice", count_lattice},
+    {"count", 2, "few distances, 1,000 uniform points", count_uniform},
+    {"count-lattice", 1, "few distances, on a lattice", count_lattice},
+    {"growth", 2, "the count grows more slowly than n", growth},
     {0},
 };
