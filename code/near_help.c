@@ -16,6 +16,7 @@ static const char *const manual[] = {
     "nearest and which is the furthest, and the distances to both.",
     "The answers are exact. It prints a summary, or with -o writes a",
     "table of all answers.",
+
     "",
     "EXAMPLES",
     "  near cities.csv -o neighbors.tsv",
@@ -28,6 +29,7 @@ static const char *const manual[] = {
     "      a box whose left side meets its right, its top its bottom",
     "  near -n 1e5 -a row-spans -t 1 -r 5 --timing",
     "      only the nearest, by one thread, timed five times",
+
     "",
     "POINTS",
     "  FILE          a text file with a point a line: two numbers,",
@@ -52,6 +54,7 @@ static const char *const manual[] = {
     "                (default: uniform, in a square of side 1)",
     "  -s SEED       0 to 2^64 - 1: other points for another seed,",
     "                the same for the same (default: 1)",
+
     "",
     "QUESTION",
     "  -g GEOMETRY   standard or wraparound (default: standard); see",
@@ -67,6 +70,7 @@ static const char *const manual[] = {
     "                or else the number of processors)",
     "  -r TRIALS     answer so many times, 1 to 1000000; the summary",
     "                then has the median time (default: 1)",
+
     "",
     "ANSWER",
     "  -o FILE       write all answers to FILE ('-': standard",
@@ -79,6 +83,7 @@ static const char *const manual[] = {
     "  --list        only print the algorithms, with what they",
     "                answer, and the distributions",
     "  --help        only print this manual",
+
     "",
     "TABLES",
     "Tabs separate the columns, and the first line names them. With",
@@ -108,6 +113,7 @@ static const char *const manual[] = {
     "  total_ns           the sum of both",
     "  distances          how many distances it computes, counted in",
     "                     a run of its own",
+
     "",
     "GEOMETRIES",
     "standard: along a straight line.",
@@ -122,6 +128,7 @@ static const char *const manual[] = {
     "The second is not: what is furthest on a torus is the point",
     "whose closest image is furthest away, and near does not search",
     "for that.",
+
     "",
     "ALGORITHMS",
     "All are exact. Without -a, near takes the fastest; name another",
@@ -133,6 +140,7 @@ static const char *const manual[] = {
     "time, unless they crowd into a few cells. It slows down as they",
     "do, and at worst it costs n^2: twice the points, four times the",
     "time. What always costs n^2 does not mind how the points lie.",
+
     "",
     "MEMORY AND TIME",
     "All points are held in memory. Count on 100 bytes for each, and",
@@ -141,6 +149,7 @@ static const char *const manual[] = {
     "longer than to find them. While work is long and standard error",
     "is a terminal, a line there says for how long it has been going",
     "on.",
+
     "",
     "ENVIRONMENT",
     "  NEAR_ISA      the instructions to use: portable, avx2 or",
@@ -148,6 +157,7 @@ static const char *const manual[] = {
     "                has)",
     "  OMP_NUM_THREADS",
     "                how many threads to use if -t does not say",
+
     "",
     "EXIT STATUS",
     "  0             done; a check, if asked for, found no mistake",

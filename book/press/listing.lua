@@ -122,12 +122,13 @@ function listing.plain(lines)
     "\n\\end{illustration}"
 end
 
--- A command and what it printed.
+-- A command and what it printed, in a box, unless that is long.
 function listing.output(command, lines)
   local result = {}
   for i, line in ipairs(lines) do result[i] = latex.code(line) end
-  return ("\\begin{captured}{%s}\n%s\n\\end{captured}"):format(
-    latex.code(command), stacked(result))
+  local environment = #lines > LONG and "longcaptured" or "captured"
+  return ("\\begin{%s}{%s}\n%s\n\\end{%s}"):format(environment,
+    latex.code(command), stacked(result), environment)
 end
 
 return listing
