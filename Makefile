@@ -246,6 +246,8 @@ $(exercises): exercise%: | $(BUILD)/setup/code
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
 
+-include exercises/course/course.mk
+
 # ---- checks --------------------------------------------------------
 #: data races: the planted one is found, and no other
 check-race: | $(BUILD)/setup/check
@@ -273,7 +275,7 @@ clean:
 help:
 	@awk '/^#: / { text = substr($$0, 4); next } \
 	  text != "" { split($$0, a, ":"); printf "  %-14s %s\n", a[1], text; text = "" }' \
-	  Makefile
+	  Makefile $(wildcard exercises/course/course.mk)
 
 -include $(wildcard $(patsubst %,$(BUILD)/%.d,plain/* plain/*/* plain/*/*/* \
 	counting/* counting/*/*))
