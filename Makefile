@@ -90,7 +90,8 @@ $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 
 # The counting twin keeps its own names to itself.
 twin := counting_algorithms counting_take counting_search_sorted \
-	counting_search_row_spans
+	counting_search_row_spans counting_search_edge_cells \
+	counting_search_one_corner
 $(BUILD)/counting.o: $(counting)
 	$(call say,link)
 ifeq ($(shell uname),Darwin)
@@ -246,8 +247,6 @@ $(exercises): exercise%: | $(BUILD)/setup/code
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
 
--include exercises/course/course.mk
-
 # ---- checks --------------------------------------------------------
 #: data races: the planted one is found, and no other
 check-race: | $(BUILD)/setup/check
@@ -275,7 +274,7 @@ clean:
 help:
 	@awk '/^#: / { text = substr($$0, 4); next } \
 	  text != "" { split($$0, a, ":"); printf "  %-14s %s\n", a[1], text; text = "" }' \
-	  Makefile $(wildcard exercises/course/course.mk)
+	  Makefile
 
 -include $(wildcard $(patsubst %,$(BUILD)/%.d,plain/* plain/*/* plain/*/*/* \
 	counting/* counting/*/*))

@@ -1,0 +1,3 @@
+#!/bin/sh
+# Who is furthest from whom
+exec "$BUILD/ch10/regions" 12000

@@ -1,0 +1,169 @@
+//> Run every program of the book
+// Nearest and furthest neighbors by the programs of all chapters in one
+// run, from the coursework's loop on: both geometries, one thread and
+// all processors, nanoseconds a point. Those that would take minutes
+// get fewer points, and their time is scaled by the number of pairs.
+//
+//     journey [POINTS [FEWER [TRIALS]]]
+#include "algorithms.h"
+#include "ch02-all-pairs/first.h"
+#include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { GEOMETRIES = 2, THREADS = 2, TIMES = GEOMETRIES * THREADS };
+
+//> List the stages of the journey
+// How long a stage may take: SLOW ones compare all of fewer points,
+// LONG ones run once.
+enum pace { SLOW, LONG, FAST, PACES };
+
+static const struct stage {
+    const char *name;
+    enum pace pace;
+} stages[] = {
+    {"first", SLOW},         {"naive", SLOW},
+    {"triangle", SLOW},      {"triangle-reduction", SLOW},
+    {"tiles", LONG},         {"triangle-tiles", LONG},
+    {"cells-lists", FAST},   {"cells-indices", FAST},
+    {"cells-sorted", FAST},  {"cells", FAST},
+    {"cells-threads", FAST}, {"spiral", FAST},
+    {"vector-spiral", FAST}, {"row-spans", FAST},
+    {"furthest-hull", FAST},
+};
+enum { STAGES = sizeof stages / sizeof *stages };
+//<
+
+//> Search as the coursework did
+// On one thread, whatever the question allows. It is not in the table
+// of algorithms.
+static void first_search_all(const struct question *question,
+                             struct answers *answers)
+{
+    first_rows(question, answers, 0, question->points.n);
+}
+
+static const struct algorithm coursework = {"first",
+                                            2,
+                                            STANDARD | WRAPAROUND,
+                                            NEAREST | FURTHEST,
+                                            "n^2",
+                                            "the distance is passed",
+                                            first_search_all};
+
+static const struct algorithm *stage_algorithm(const char *name)
+{
+    return strcmp(name, coursework.name) == 0 ? &coursework
+                                              : find_algorithm(name);
+}
+//<
+
+//> Hold the times of a stage
+struct times {
+    struct search search[TIMES];
+    struct trial trial[TIMES];
+    bool there[TIMES];
+};
+
+static void prepare_stage(struct times *times,
+                          const struct algorithm *algorithm,
+                          struct question question,
+                          struct answers *answers)
+{
+    for (int k = 0; k < TIMES; k++) {
+        bool all = k % THREADS;
+        question.space.geometry = k / THREADS ? WRAPAROUND : STANDARD;
+        question.threads = all ? omp_get_num_procs() : 1;
+        times->search[k] =
+            (struct search){algorithm->run, question, answers};
+        times->trial[k] = (struct trial){.work = run_search,
+                                         .context = &times->search[k]};
+        times->there[k] =
+            algorithm->geometries & question.space.geometry &&
+            !(all && algorithm == &coursework);
+    }
+}
+//<
+
+//> Time all stages of a pace in turn
+static void time_pace(enum pace pace, int trials, struct times *times)
+{
+    struct trial turn[STAGES * TIMES];
+    int count = 0;
+    for (int s = 0; s < STAGES; s++)
+        for (int k = 0; k < TIMES; k++)
+            if (stages[s].pace == pace && times[s].there[k])
+                turn[count++] = times[s].trial[k];
+    time_in_turn(trials, turn, count);
+    count = 0;
+    for (int s = 0; s < STAGES; s++)
+        for (int k = 0; k < TIMES; k++)
+            if (stages[s].pace == pace && times[s].there[k])
+                times[s].trial[k] = turn[count++];
+}
+//<
+
+//> Print a stage
+// Nanoseconds for each of n points, of which fewer were timed: then
+// each would have met n / fewer times as many others. Names are words.
+static void print_stage(const struct algorithm *algorithm,
+                        const struct times *times, uint32_t n,
+                        uint32_t fewer)
+{
+    for (const char *c = algorithm->name; *c; c++)
+        putchar(*c == '-' ? '_' : *c);
+    printf("\t%d\t%s\t%u\t%d", algorithm->chapter,
+           algorithm->answers == NEAREST    ? "nearest"
+           : algorithm->answers == FURTHEST ? "furthest"
+                                            : "both",
+           fewer, omp_get_num_procs());
+    for (int k = 0; k < TIMES; k++)
+        if (times->there[k])
+            print_summary(&times->trial[k].summary,
+                          (double)fewer * fewer / n);
+        else
+            printf("\t-\t-\t-");
+    puts("");
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("journey", NULL);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
+    uint32_t fewer = argument(argc, argv, 2, "FEWER", 4000, 2, n);
+    int trials = argument(argc, argv, 3, "TRIALS", 3, 1, MANY);
+    struct question all = uniform_question(STANDARD, n, 1);
+    struct question some = uniform_question(STANDARD, fewer, 1);
+    struct answers answers[STAGES];
+    struct times times[STAGES];
+    for (int s = 0; s < STAGES; s++) {
+        const struct algorithm *algorithm =
+            stage_algorithm(stages[s].name);
+        answers[s] = answers_for(n, algorithm->answers);
+        prepare_stage(&times[s], algorithm,
+                      stages[s].pace == SLOW ? some : all, &answers[s]);
+    }
+    for (int pace = 0; pace < PACES; pace++)
+        time_pace(pace, pace == FAST ? trials : 1, times);
+    report_provenance(stdout);
+    puts("name\tchapter\tanswers\tn\tthreads"
+         "\tstandard\tstandard_q1\tstandard_q3"
+         "\tstandard_all\tstandard_all_q1\tstandard_all_q3"
+         "\twraparound\twraparound_q1\twraparound_q3"
+         "\twraparound_all\twraparound_all_q1\twraparound_all_q3");
+    for (int s = 0; s < STAGES; s++) {
+        bool slow = stages[s].pace == SLOW;
+        print_stage(stage_algorithm(stages[s].name), &times[s], n,
+                    slow ? fewer : n);
+        answers_free(&answers[s]);
+    }
+    points_free(&some.points);
+    points_free(&all.points);
+    return 0;
+}
+//<

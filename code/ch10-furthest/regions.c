@@ -1,0 +1,71 @@
+//> Draw who is furthest from whom
+// Points of two kinds, for each the rank of its furthest point, 0 for
+// the one that is the furthest of most, and of how many it is the
+// furthest itself.
+//
+//     regions [POINTS]
+#include "algorithms.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include "common/report.h"
+#include <stdlib.h>
+
+//> Rank the points by how many they are furthest from
+struct fan {
+    uint32_t point, points; // furthest from so many
+};
+
+static int by_number(const void *a, const void *b)
+{
+    const struct fan *p = a, *q = b;
+    return (p->points < q->points) - (p->points > q->points);
+}
+
+struct rank {
+    uint32_t rank, points;
+};
+
+static struct rank *rank_points(const uint32_t *furthest, uint32_t n)
+{
+    struct fan *fans = allocate(n, sizeof *fans);
+    struct rank *ranks = allocate(n, sizeof *ranks);
+    for (uint32_t i = 0; i < n; i++)
+        fans[i] = (struct fan){i, 0};
+    for (uint32_t i = 0; i < n; i++)
+        fans[furthest[i]].points++;
+    qsort(fans, n, sizeof *fans, by_number);
+    for (uint32_t k = 0; k < n; k++)
+        ranks[fans[k].point] = (struct rank){k, fans[k].points};
+    free(fans);
+    return ranks;
+}
+//<
+
+static void print_kind(const char *kind, uint32_t n)
+{
+    struct question question = {
+        generate(find_distribution(kind), n, 1), {STANDARD, 1, 1}, 1};
+    struct answers answers = answers_for(n, FURTHEST);
+    find_algorithm("furthest-hull")->run(&question, &answers);
+    struct rank *ranks = rank_points(answers.furthest, n);
+    for (uint32_t i = 0; i < n; i++)
+        printf("%s\t%.5g\t%.5g\t%u\t%u\n", kind, question.points.x[i],
+               question.points.y[i], ranks[answers.furthest[i]].rank,
+               ranks[i].points);
+    free(ranks);
+    answers_free(&answers);
+    points_free(&question.points);
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("regions", NULL);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 6000, 2, MANY);
+    report_provenance(stdout);
+    puts("kind\tx\ty\trank\tfans");
+    print_kind("uniform", n);
+    print_kind("clustered", n);
+    return 0;
+}
+//<

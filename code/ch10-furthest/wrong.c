@@ -1,0 +1,94 @@
+//> Count the wrong furthest points
+// How many of the furthest points are wrong that the cells along the
+// border and the corner trick find: for points of every kind, and for
+// many sets of uniform points, in grids of two points a cell or as the
+// coursework's, of sqrt(n).
+//
+//     wrong [POINTS [SETS]]
+#include "algorithms.h"
+#include "ch04-cell-sort/sorted.h"
+#include "ch10-furthest/tricks.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include "common/report.h"
+
+//> Compare with the right distances
+static double wrong_share(const struct answers *found,
+                          const struct answers *right, uint32_t n)
+{
+    double wrong = 0;
+    for (uint32_t i = 0; i < n; i++)
+        wrong += found->furthest2[i] != right->furthest2[i];
+    return wrong / n;
+}
+//<
+
+//> Try both tricks on a set
+struct wrong {
+    double edge, corner;
+};
+
+static struct wrong wrong_answers(const struct question *question,
+                                  double c)
+{
+    const uint32_t n = question->points.n;
+    struct answers right = answers_for(n, FURTHEST);
+    struct answers found = answers_for(n, FURTHEST);
+    struct sorted sorted = sorted_make(question, c, cells_sort_alone);
+    struct wrong wrong;
+    find_algorithm("furthest-hull")->run(question, &right);
+    search_edge_cells(question, &sorted, &found);
+    wrong.edge = wrong_share(&found, &right, n);
+    search_one_corner(question, &sorted, &found);
+    wrong.corner = wrong_share(&found, &right, n);
+    sorted_free(&sorted);
+    answers_free(&found);
+    answers_free(&right);
+    return wrong;
+}
+//<
+
+static void print_wrong(const char *name, const char *kind, uint32_t n,
+                        double c, int sets)
+{
+    struct wrong sum = {0, 0};
+    int broken = 0;
+    for (int set = 0; set < sets; set++) {
+        struct question question = {
+            generate(find_distribution(kind), n, set + 1),
+            {STANDARD, 1, 1},
+            1};
+        struct wrong wrong = wrong_answers(&question, c);
+        sum.edge += wrong.edge;
+        sum.corner += wrong.corner;
+        broken += wrong.corner > 0;
+        points_free(&question.points);
+    }
+    printf("%s\t%u\t%d\t%.4g\t%.4g\t%.4g\t%.4g\n", name, n, sets, c,
+           sum.edge / sets, sum.corner / sets, (double)broken / sets);
+    fflush(stdout);
+}
+
+int main(int argc, char **argv)
+{
+    enum { SMALL = 1000 };
+    fail_as("wrong", NULL);
+    uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 100, MANY);
+    int sets = argument(argc, argv, 2, "SETS", 100, 1, MANY);
+    report_provenance(stdout);
+    puts("name\tn\tsets\tc\tedge\tcorner\tbroken");
+    print_wrong("wrong_uniform", "uniform", n, sqrt(n), 1);
+    print_wrong("wrong_clustered", "clustered", n, sqrt(n), 1);
+    print_wrong("wrong_collinear", "collinear", n, sqrt(n), 1);
+    print_wrong("wrong_circle", "circle", n, sqrt(n), 1);
+    print_wrong("wrong_kuzmin", "kuzmin", n, sqrt(n), 1);
+    print_wrong("wrong_two_clusters", "two-clusters", n, sqrt(n), 1);
+    print_wrong("sets_c1", "uniform", SMALL, 1, sets);
+    print_wrong("sets_c2", "uniform", SMALL, 2, sets);
+    print_wrong("sets_c4", "uniform", SMALL, 4, sets);
+    print_wrong("sets_c8", "uniform", SMALL, 8, sets);
+    print_wrong("sets_c16", "uniform", SMALL, 16, sets);
+    return 0;
+}
+//<

@@ -1,5 +1,0 @@
-// Includes the solution.
-// score: 0
-// says: it includes
-#include "../exercises/ch02/1-nearest-pair/solution.c"
-#include "right.h"
