@@ -243,6 +243,15 @@ exerciseN.K:
 $(exercises): exercise%: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/exercise $*
 
+hints := $(exercises:exercise%=hint%)
+
+#: the next hint for exercise K of chapter N
+hintN.K:
+	@echo "say make hint1.2, make hint2.1, ..."
+
+$(hints): hint%:
+	@BUILD=$(BUILD) exercises/kit/hint $*
+
 #: grade all work in a folder, WORK=work, for a course's machine
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
@@ -280,4 +289,4 @@ help:
 	counting/* counting/*/*))
 
 .PHONY: all programs test test-all check-book picture chapterN measure measureN
-.PHONY: $(exercises) exerciseN.K grade peers check-race check-memory format clean help
+.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory format clean help

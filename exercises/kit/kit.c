@@ -1,9 +1,10 @@
 // The grader: runs the tests of an exercise against a student's file.
 //
-//   GRADER [-s SEED] [-l SECONDS] [-n WHY] LIBRARY SOURCE SCORES
-//          [TEST...]
+//   GRADER [-s SEED] [-l SECONDS] [-n WHY] [-p PICTURE]
+//          LIBRARY SOURCE SCORES [TEST...]
 //
-// -n fails every test for this reason and runs none.
+// -n fails every test for this reason and runs none. PICTURE becomes
+// what wrong.gp draws, if a test has failed that can be drawn.
 //
 // SCORES becomes a table, tab-separated, one row a test, with all that
 // a report needs. What the student's code prints is passed on, but is
@@ -79,6 +80,7 @@ static struct {
     double processor_seconds;
     int printed; // the file that catches what a call prints
     FILE *scores;
+    const char *picture; // the file to draw; NULL: done, or not wanted
     struct trace *trace;
 
     // of the test that runs
@@ -321,9 +323,37 @@ _Noreturn static void end_test(const char *status)
     longjmp(grader.end, 1);
 }
 
+static void put_pair(FILE *file, struct points points,
+                     const uint32_t *pair)
+{
+    fprintf(file, "\n\n");
+    for (int k = 0; k < 2; k++)
+        if (pair[k] < points.n)
+            fprintf(file, "%.17g\t%.17g\n", points.x[pair[k]],
+                    points.y[pair[k]]);
+}
+
+// The first that can be drawn is drawn.
+static void draw(const struct kit_picture *picture)
+{
+    struct points points = picture->points;
+    FILE *file = grader.picture && points.n > 0
+                     ? fopen(grader.picture, "w")
+                     : NULL;
+    if (!file)
+        return;
+    for (uint32_t i = 0; i < points.n; i++)
+        fprintf(file, "%.17g\t%.17g\n", points.x[i], points.y[i]);
+    put_pair(file, points, picture->found);
+    put_pair(file, points, picture->right);
+    fclose(file);
+    grader.picture = NULL;
+}
+
 _Noreturn void kit_wrong(struct kit_fault fault)
 {
     grader.fault = fault;
+    draw(&fault.picture);
     end_test("wrong");
 }
 
@@ -749,13 +779,15 @@ int main(int argc, char **argv)
     uint64_t seed = 1;
     const char *lost = NULL;
     grader.limit = 10;
-    for (int option; (option = getopt(argc, argv, "s:l:n:")) != -1;) {
+    for (int option; (option = getopt(argc, argv, "s:l:n:p:")) != -1;) {
         if (option == 's')
             seed = strtoull(optarg, NULL, 0);
         else if (option == 'l')
             grader.limit = atof(optarg);
         else if (option == 'n')
             lost = optarg;
+        else if (option == 'p')
+            grader.picture = optarg;
         else
             return 2;
     }

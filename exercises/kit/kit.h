@@ -51,6 +51,13 @@ bool kit_enter(void);
 _Noreturn void kit_leave(void);
 void (*kit_function(const char *name))(void);
 
+// Where a picture helps: the points, and two of them, in the answer and
+// in the right one. build/work/2.1/wrong.png shows the first.
+struct kit_picture {
+    struct points points;
+    uint32_t found[2], right[2];
+};
+
 // The test has failed and ends here. What does not apply stays NULL.
 struct kit_fault {
     const char *where;    // which point, where it lies
@@ -58,6 +65,7 @@ struct kit_fault {
     const char *found;    // instead
     const char *cause;    // the likely one, in a sentence
     int points;           // what is earned all the same
+    struct kit_picture picture;
 };
 #define WRONG(...) kit_wrong((struct kit_fault){__VA_ARGS__})
 _Noreturn void kit_wrong(struct kit_fault fault);

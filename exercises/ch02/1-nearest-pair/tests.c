@@ -84,7 +84,9 @@ static void check(struct points points)
         found->distance2 != right.distance2)
         WRONG(.expected = tell(points, right),
               .found = tell(points, *found),
-              .cause = cause(points, right, *found));
+              .cause = cause(points, right, *found),
+              .picture = {
+                  points, {found->i, found->j}, {right.i, right.j}});
 }
 
 static void two_points(uint64_t seed)

@@ -113,7 +113,8 @@ static void ask_for_all(struct points points)
             WRONG(.where = kit_point(points, i),
                   .expected = kit_point(points, right),
                   .found = kit_point(points, found[i]),
-                  .cause = wrong_cause(points, i, right, found[i]));
+                  .cause = wrong_cause(points, i, right, found[i]),
+                  .picture = {points, {i, found[i]}, {i, right}});
     }
 }
 

@@ -84,7 +84,9 @@ static void check(struct points points, uint32_t i, uint32_t k)
                                     kit_point(points, neighbors[p]),
                                     distances2[p]),
                   .cause = cause(points, i, k, p, neighbors, distances2,
-                                 sorted[p]));
+                                 sorted[p]),
+                  .picture = {
+                      points, {i, neighbors[p]}, {i, sorted[p].index}});
 }
 
 // Asks for some points of a set, the first and the last among them.

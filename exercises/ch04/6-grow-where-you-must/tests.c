@@ -213,7 +213,10 @@ static void check(void)
             answers[i].nearest2 != right.nearest2)
             WRONG(.where = tell_asking(i), .expected = tell(right),
                   .found = tell(answers[i]),
-                  .cause = wrong_cause(i, right));
+                  .cause = wrong_cause(i, right),
+                  .picture = {points,
+                              {i, answers[i].nearest},
+                              {i, right.nearest}});
     }
 }
 
