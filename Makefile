@@ -256,6 +256,8 @@ $(hints): hint%:
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
 
+-include exercises/course/course.mk
+
 # ---- checks --------------------------------------------------------
 #: data races: the planted one is found, and no other
 check-race: | $(BUILD)/setup/check
@@ -283,7 +285,7 @@ clean:
 help:
 	@awk '/^#: / { text = substr($$0, 4); next } \
 	  text != "" { split($$0, a, ":"); printf "  %-14s %s\n", a[1], text; text = "" }' \
-	  Makefile
+	  Makefile $(wildcard exercises/course/course.mk)
 
 -include $(wildcard $(patsubst %,$(BUILD)/%.d,plain/* plain/*/* plain/*/*/* \
 	counting/* counting/*/*))

@@ -15,6 +15,7 @@
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "ch09-row-spans/row_spans.h"
+#include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/hull.h"
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +60,8 @@ const struct algorithm TABLE[] = {
      "sorted by all threads", cells_threads},
     {"row-spans", 9, STANDARD | WRAPAROUND, NEAREST, "n",
      "eight share three spans", row_spans},
+    {"furthest-cells", 10, STANDARD | WRAPAROUND, FURTHEST, "n",
+     "cells from outside in", furthest_cells},
     {"furthest-hull", 10, STANDARD, FURTHEST, "n log n",
      "corners of the hull", furthest_hull},
 };

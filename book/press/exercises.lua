@@ -82,7 +82,7 @@ function exercises.read(job, chapter, path)
     trains = words(doc.meta, "trains", path),
     needs = latex.text(text_of(doc.meta, "needs")),
     programmed =
-      files.exists((path:gsub("exercise%.md$", "solution.c"))) or false,
+      files.exists((path:gsub("exercise%.md$", "tests.c"))) or false,
   }
   context.label(exercise.label, path, 1)
   local text = { source = source.open(path), id = chapter.id,

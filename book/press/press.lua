@@ -83,7 +83,7 @@ local function make_folder(path)
   lfs.mkdir(path)
 end
 
-local folder = build .. (sheet and "/sheets/press" or "/book")
+local folder = build .. (sheet and "/sheet" or "/book")
 make_folder(folder)
 
 local job = {

@@ -66,8 +66,7 @@ INLINED void note_points(const uint32_t lanes, struct points p,
             most[lane] = -INFINITY, least[lane] = INFINITY;
         for (uint32_t i = begin; i < end; i += lanes)
             for (uint32_t lane = 0; lane < lanes; lane++) {
-                double out =
-                    along(axis, p.x[i + lane], p.y[i + lane]);
+                double out = along(axis, p.x[i + lane], p.y[i + lane]);
                 most[lane] = out > most[lane] ? out : most[lane];
                 least[lane] = out < least[lane] ? out : least[lane];
             }
@@ -184,8 +183,7 @@ static uint32_t keep_outside(struct points p, uint32_t begin,
         double least = INFINITY;
 #pragma GCC unroll 8
         for (int e = 0; e < EXTREMES; e++) {
-            double deep =
-                sides.a[e] * x + sides.b[e] * y - sides.c[e];
+            double deep = sides.a[e] * x + sides.b[e] * y - sides.c[e];
             least = deep < least ? deep : least;
         }
         depth[i - begin] = least;
@@ -270,10 +268,10 @@ static uint32_t chain_up(const struct candidate *candidate, uint32_t n,
 {
     uint32_t count = 0;
     for (uint32_t k = 0; k < n; k++) {
-        while (count >= 2 && sign * turn(corner[count - 2],
-                                         corner[count - 1],
-                                         candidate[k]) <=
-                                 0)
+        while (count >= 2 &&
+               sign * turn(corner[count - 2], corner[count - 1],
+                           candidate[k]) <=
+                   0)
             count--;
         corner[count++] = candidate[k];
     }
@@ -293,8 +291,7 @@ static struct foot foot_on(struct candidate a, struct candidate b,
 {
     double t = b.x > a.x ? (p.x - a.x) / (b.x - a.x) : end;
     return (struct foot){(a.y - p.y) + t * (b.y - a.y),
-                         t * (1 - t) *
-                             distance2(b.x - a.x, b.y - a.y)};
+                         t * (1 - t) * distance2(b.x - a.x, b.y - a.y)};
 }
 //<
 

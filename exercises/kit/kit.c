@@ -52,6 +52,7 @@ enum {
     CALLS_MAX = 20,       // limits that all calls together may take
     SHOWN_MAX = 12,       // lines of its output that are passed on
     REPORT_MAX = 300,     // bytes of a sanitizer's sentence
+    NAP = 10,             // ms
     SANITIZER_STATUS = 99,
     POISON = 0xa5,
 };
@@ -642,38 +643,28 @@ static double in_seconds(struct timeval time)
 // how long it worked, whatever it says.
 static bool wait_for(pid_t process, int pipe, int *status)
 {
-    const long longest = 10000000; // ns
-    long nap = 50000;
-    int64_t begin = clock_ns(), start = begin;
+    int64_t begin = clock_ns(), start = begin, now;
     double limit = fmin(grader.limit, fmax(grader.budget, 1));
-    bool ended = false, open = true;
-    for (;;) {
-        struct rusage used = {0};
-        ended =
-            !open && wait4(process, status, WNOHANG, &used) == process;
-        int64_t now = clock_ns();
-        double left = limit - (now - begin) * 1e-9;
-        if (ended || left < 0) {
-            grader.seconds = (now - start) * 1e-9;
-            grader.processor_seconds =
-                in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
-            grader.budget -= (now - begin) * 1e-9;
+    struct rusage used = {0};
+    bool ended;
+    for (bool open = true;;) {
+        ended = wait4(process, status, WNOHANG, &used) == process;
+        now = clock_ns();
+        if (ended || (now - begin) * 1e-9 > limit)
             break;
-        }
-        if (open) {
-            struct pollfd wanted = {pipe, POLLIN, 0};
+        // A child of its own may hold the pipe, too: do not sleep long.
+        struct pollfd said = {open ? pipe : -1, POLLIN, 0};
+        if (poll(&said, 1, open ? NAP : 1) == 1) {
             char byte;
-            if (poll(&wanted, 1, (int)ceil(left * 1e3)) <= 0)
-                continue;
-            if (read(pipe, &byte, 1) <= 0)
-                open = false;
-            else if (start == begin)
+            open = read(pipe, &byte, 1) == 1;
+            if (open && start == begin)
                 start = clock_ns();
-        } else {
-            nanosleep(&(struct timespec){.tv_nsec = nap}, NULL);
-            nap = nap < longest ? nap + nap / 2 : longest;
         }
     }
+    grader.seconds = (now - start) * 1e-9;
+    grader.processor_seconds =
+        in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
+    grader.budget -= (now - begin) * 1e-9;
     end_children(process);
     return ended;
 }

@@ -12,6 +12,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// None of these names can be seen from the student's library.
+#pragma GCC visibility push(hidden)
+
 // A tests.c defines this table; a row without a name ends it.
 struct kit_test {
     const char *name;  // one word, as in make exercise2.1 TEST=name
@@ -113,3 +116,5 @@ bool kit_is_sanitized(void);
 const char *kit_text(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 const char *kit_point(struct points points, uint32_t i);
+
+#pragma GCC visibility pop

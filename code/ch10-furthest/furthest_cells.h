@@ -1,0 +1,23 @@
+//> Declare the search from outside
+// The furthest point by cells, whatever the points: rows of cells from
+// the outside inwards, and in a row its cells from the outside inwards,
+// as long as somebody in them can be further than the furthest so far.
+// With wraparound the outside is where the point itself is. Empty cells
+// cost nothing, empty rows neither. A few distances a point if the
+// points are scattered evenly; at worst all of them.
+#pragma once
+#include "ch04-cell-sort/sorted.h"
+
+// Where this search is fastest on average.
+#define POINTS_PER_FAR_CELL 2.0
+
+// Furthest only; threads and space are the question's. The points may
+// have any number in a cell, where they stand in ascending order.
+void search_furthest_cells(const struct question *question,
+                           const struct sorted *sorted,
+                           struct answers *answers);
+
+// The row of the table: sorts, and searches.
+void furthest_cells(const struct question *question,
+                    struct answers *answers);
+//<

@@ -1,0 +1,16 @@
+#!/bin/sh
+# Gradescope runs this once, when it builds the container: what grading
+# needs is gcc and make, on Debian or Ubuntu.
+set -e
+ready() {
+    command -v make >/dev/null && command -v cc >/dev/null &&
+        echo 'int main(void) { return 0; }' |
+        cc -x c -fopenmp -fsanitize=address - -o /dev/null 2>/dev/null
+}
+
+if ! ready; then
+    apt-get update
+    DEBIAN_FRONTEND=noninteractive apt-get install -y \
+        --no-install-recommends gcc libc6-dev make
+fi
+ready

@@ -1,0 +1,107 @@
+#!/bin/sh
+# Submissions that want to harm, or to earn what they have not earned:
+# every file of hostile/, and files that are none. Each gets the score
+# that its second line says, the report says its third line's words,
+# the results are complete and valid, and nothing is left behind.
+#
+#   tests/grade/hostile.sh NAME...    only these
+
+: "${BUILD:=build}"
+export BUILD
+here=tests/grade
+LIMIT=1 SEED=1 TEST=ties EXERCISES=2.1 COMPILE_LIMIT=10
+export LIMIT SEED TEST EXERCISES COMPILE_LIMIT
+solution=exercises/ch02/1-nearest-pair/solution.c
+
+# expect SCORE WORDS: what the submission in $case must get
+expect() {
+    printf '%s\n%s\n' "$1" "$2" >"$case/expected"
+}
+
+# Of several, those that are no C file.
+special() {
+    file=$case/work/2.1/nearest-pair.c
+    mkdir -p "$case/work/2.1"
+    case $1 in
+    missing) expect 0 "there is no file" ;;
+    nothing-at-all) rm -r "$case/work/2.1" && expect 0 "there is no file" ;;
+    a-link)
+        ln -s "$PWD/$solution" "$file"
+        expect 0 "there is no file" ;;
+    a-folder)
+        mkdir "$file"
+        expect 0 "there is no file" ;;
+    a-pipe)
+        mkfifo "$file"
+        expect 0 "there is no file" ;;
+    includes-a-link)
+        ln -s "$PWD/$solution" "$case/work/2.1/mine.h"
+        echo '#include "mine.h"' >"$file"
+        expect 0 "it includes" ;;
+    binary)
+        head -c 20000 "$BUILD/kit/results" >"$file"
+        expect 0 "it does not compile" ;;
+    odd-names)
+        for name in '-rf' '$(touch hostile-was-here).c' 'a b;c.c' '"\'; do
+            echo x >"$case/work/2.1/$name"
+        done
+        mkdir "$case/work/-n x\$(touch hostile-was-here)\`"
+        cp $solution "$case/work/-n x\$(touch hostile-was-here)\`/nearest-pair.c"
+        rm -r "$case/work/2.1"
+        expect 2 "" ;;
+    esac
+}
+specials="missing nothing-at-all a-link a-folder a-pipe includes-a-link
+    binary odd-names"
+
+if [ "$1" = --one ]; then
+    folder=$2 name=$3
+    case=$folder/$name
+    mkdir -p "$case/work"
+    file=$here/hostile/${name%.limits}.c
+    if [ -f "$file" ]; then
+        mkdir "$case/work/2.1"
+        cp "$file" "$case/work/2.1/nearest-pair.c"
+        cp $here/hostile/right.h "$case/work/2.1"
+        expect "$(sed -n '2s/.*score: //p' "$file")" \
+            "$(sed -n '3s/.*says: //p' "$file")"
+    else
+        special "$name"
+    fi
+    # What is left where the system has no rules to offer.
+    [ "$name" = "${name%.limits}" ] || export KIT_RULES=no
+    [ "$name" != fork-bomb.limits ] || expect any "" # it may be slow
+    WORK=$case/work GRADES=$case/grade exercises/kit/grade \
+        >"$case/said" 2>"$case/errors"
+    echo $? >"$case/status"
+    exit 0
+fi
+
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder" hostile-was-here' EXIT
+chmod 755 "$folder"
+if [ $# -eq 0 ]; then
+    # shellcheck disable=SC2046 # names have no spaces
+    set -- $(cd $here/hostile && ls ./*.c | sed 's,^\./,,; s,\.c$,,') $specials \
+        leaves-children.limits fork-bomb.limits endless-loop.limits \
+        exits.limits output-flood.limits
+fi
+# Built once, not by all of them at the same time.
+for goal in sanitized/ch02/1-nearest-pair/grader \
+    optimized/ch02/1-nearest-pair/grader results; do
+    make -s -f exercises/kit/kit.mk "$BUILD/kit/$goal" || exit 1
+done
+jobs=$(getconf _NPROCESSORS_ONLN) || jobs=1
+printf '%s\n' "$@" | xargs -n 1 -P "$jobs" "$0" --one "$folder"
+texlua $here/read.lua "$folder" "$@"
+
+if [ -e hostile-was-here ]; then
+    echo "not ok nothing is written: hostile-was-here"
+else
+    echo "ok nothing is written"
+fi
+if grep -q near-leftover /proc/[0-9]*/comm 2>/dev/null; then
+    echo "not ok nobody is left: $(grep -l near-leftover /proc/[0-9]*/comm)"
+else
+    echo "ok nobody is left"
+fi

@@ -1,0 +1,11 @@
+// Sends itself signals.
+// score: 0
+// says: signal
+#include "right.h"
+#include <signal.h>
+
+struct pair nearest_pair(struct points points)
+{
+    raise(SIGUSR1);
+    return right(points);
+}

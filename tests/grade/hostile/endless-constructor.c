@@ -1,0 +1,15 @@
+// Never even begins.
+// score: 0
+// says: no answer after
+#include "right.h"
+
+__attribute__((constructor)) static void wait(void)
+{
+    for (volatile int k = 0;; k++)
+        continue;
+}
+
+struct pair nearest_pair(struct points points)
+{
+    return right(points);
+}

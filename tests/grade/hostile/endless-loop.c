@@ -1,0 +1,11 @@
+// Never answers.
+// score: 0
+// says: no answer after
+#include "right.h"
+
+struct pair nearest_pair(struct points points)
+{
+    for (volatile uint32_t k = 0;; k++)
+        if (points.n == 0)
+            return wrong();
+}

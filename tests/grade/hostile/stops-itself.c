@@ -1,0 +1,13 @@
+// Stops without an end.
+// score: 0
+// says: no answer after
+#include "right.h"
+#include <signal.h>
+
+struct pair nearest_pair(struct points points)
+{
+    raise(SIGSTOP);
+    for (volatile int k = 0;; k++)
+        if (points.n == 0)
+            return wrong();
+}
