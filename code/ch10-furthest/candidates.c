@@ -6,7 +6,7 @@
 //     candidates [MOST]
 #include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/sorted.h"
-#include "ch10-furthest/tricks.h"
+#include "ch10-furthest/border.h"
 #include "common/argument.h"
 #include "common/count.h"
 #include "common/fail.h"

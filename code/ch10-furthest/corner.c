@@ -6,7 +6,7 @@
 //     corner
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/timing.h"
-#include "ch10-furthest/tricks.h"
+#include "ch10-furthest/border.h"
 #include "common/fail.h"
 #include "common/report.h"
 

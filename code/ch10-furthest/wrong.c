@@ -7,7 +7,7 @@
 //     wrong [POINTS [SETS]]
 #include "algorithms.h"
 #include "ch04-cell-sort/sorted.h"
-#include "ch10-furthest/tricks.h"
+#include "ch10-furthest/border.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/generate.h"

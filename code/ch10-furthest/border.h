@@ -1,15 +1,12 @@
-//> Declare two tricks that err
+//> Declare two searches that err
 // The furthest neighbors in the standard geometry, looked for where the
 // coursework looks: in all cells along the border of the grid, or in
 // those that the corner trick leaves over. Right as long as no corner
 // cell is empty (edge cells), or no cell at all (one corner); wrong
-// without a word otherwise. They are not in the table of algorithms.
+// without a word otherwise..
 #pragma once
 #include "ch04-cell-sort/sorted.h"
 #include <stdbool.h>
-
-// With about sqrt(n) points in a cell, as the coursework has them.
-search_function edge_cells, one_corner;
 
 // In any grid. Furthest only; who finds nobody is given NOBODY, at -1.
 // Threads share out the points.

@@ -1,8 +1,7 @@
 //> Search where the coursework looks
-// See tricks.h.
-#include "ch10-furthest/tricks.h"
+// See border.h.
+#include "ch10-furthest/border.h"
 #include "ch04-cell-sort/lists.h"
-#include "common/clock.h"
 #include "common/count.h"
 #include <stddef.h>
 
@@ -159,28 +158,4 @@ void search_one_corner(const struct question *question,
 }
 //<
 
-//> Make the coursework's grid
-static void sort_and_search(const struct question *question,
-                            look_function *look,
-                            struct answers *answers)
-{
-    struct sorted sorted = sorted_make(
-        question, sqrt(question->points.n), cells_sort_alone);
-    answers->built_ns = clock_ns();
-    search(question, &sorted, look, answers);
-    sorted_free(&sorted);
-}
-
-void edge_cells(const struct question *question,
-                struct answers *answers)
-{
-    sort_and_search(question, look_along_border, answers);
-}
-
-void one_corner(const struct question *question,
-                struct answers *answers)
-{
-    sort_and_search(question, look_outside, answers);
-}
-//<
 //<
