@@ -67,6 +67,23 @@ for name in $("$near" --list | awk 'NR > 1 && $2 ~ /^[0-9]+$/ { print $1 }'); do
     done
 done
 
+# And with each set of instructions that the machine has; larger, so that
+# strips and tiles are full.
+for row in 'cells-groups lattice' 'vector-spiral clustered' \
+    'vector-spiral lattice' 'row-spans clustered' 'row-spans lattice'; do
+    name=${row% *} kind=${row#* }
+    accepts "$row, the best instructions" -n 3000 -d "$kind" -a "$name" -o first.tsv
+    for isa in portable avx2 avx512; do
+        NEAR_ISA=$isa "$near" -n 2 >/dev/null 2>&1 || continue
+        export NEAR_ISA=$isa
+        run -n 3000 -d "$kind" -a "$name" --check -o again.tsv
+        unset NEAR_ISA
+        says "$row, $isa: status" 0 $status
+        cmp -s first.tsv again.tsv && ok "$row, $isa, the same file" ||
+            not_ok "$row, $isa, the same file" 'the files differ'
+    done
+done
+
 three | accepts 'a file from standard input' - -o answers.tsv
 says 'its answers' "0	0	0	2	1	1	5
 1	3	4	2	4.2426406871192848	0	5

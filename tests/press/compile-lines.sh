@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Every line with which a chapter says that a program compiles by itself
+# compiles it. Without optimization, which would take its time and find
+# nothing.
+root=$(cd "$(dirname "$0")/../.." && pwd)
+cd "$root" || exit 1
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+
+for chapter in $(grep -l '^    cc -std' chapters/ch*.md); do
+    name=$(basename "$chapter" .md)
+    line=$(awk '/^    cc -std/ { there = 1 }
+        there { more = sub(/\\$/, ""); printf "%s ", $0 }
+        there && !more { exit }' "$chapter")
+    program=$(sed 's/.* -o \([a-z-]*\) .*/\1/' <<<"$line")
+    line=${line/ cc / ${CC:-cc} }
+    line=${line/ -O3 / -O0 }
+    line=${line/ -o $program / -o $scratch/$program }
+    if ! eval "$line" >"$scratch/said" 2>&1; then
+        echo "not ok $name: $program: $(grep -m 1 . "$scratch/said")"
+    elif ! [ -x "${BUILD:-build}/${name%%-*}/$program" ]; then
+        echo "not ok $name: make builds no $program"
+    else
+        echo "ok $name: $program"
+    fi
+done
