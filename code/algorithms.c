@@ -16,7 +16,7 @@
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "ch09-row-spans/row_spans.h"
 #include "ch10-furthest/furthest_cells.h"
-#include "ch10-furthest/hull.h"
+#include "ch10-furthest/furthest_hull.h"
 #include <stdlib.h>
 #include <string.h>
 

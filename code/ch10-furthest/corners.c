@@ -6,7 +6,7 @@
 //
 //     corners [MOST [SETS]]
 #include "ch02-all-pairs/timing.h"
-#include "ch10-furthest/hull.h"
+#include "ch10-furthest/furthest_hull.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/generate.h"

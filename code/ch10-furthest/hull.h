@@ -1,20 +1,22 @@
 //> Declare the corners
 // In the standard geometry only a corner of the convex hull can be
-// somebody's furthest point. An octagon of extreme points (Akl and
-// Toussaint 1978) throws away nearly all of those inside; a chain
-// (Andrew 1979) finds the corners among the rest. Distances are
-// rounded, so whoever could be the furthest in rounded distances counts
-// as a corner, too. About n steps to find the corners, as long as few
-// points are outside the octagon, else n log n; then n times as many
-// distances as there are corners: n^2 on a circle.
+// somebody's furthest point. Distances are rounded, so whoever could be
+// the furthest in rounded distances counts as a corner, too. An octagon
+// throws away most of the others, a chain (Andrew 1979) finds the
+// corners among the rest: about n steps as long as few points are
+// outside the octagon, else n log n.
 #pragma once
 #include "common/question.h"
-#include <stdbool.h>
 
 struct corners {
     struct points points; // where they are
     uint32_t *point;      // who they are, in ascending order
 };
+
+// A point is nobody's furthest if it is the mean of others, with any
+// weights, and their mean squared distance from it is more than this
+// times that of the diagonal of the box of all points.
+static const double CORNER_SURPLUS = 0x1p-44;
 
 // Whoever is the furthest of any of the points, in rounded squared
 // distances and of several the one of the lowest index, is among them;
@@ -24,13 +26,8 @@ struct corners {
 struct corners corners_find(const struct question *question);
 void corners_free(struct corners *corners);
 
-// The furthest of these corners for every point of the question, by its
-// threads.
-void search_corners(const struct question *question,
-                    const struct corners *corners,
-                    struct answers *answers);
-
-// The row of the table: finds the corners, and searches them.
-void furthest_hull(const struct question *question,
-                   struct answers *answers);
+// The same of these points, called who[0 .. points.n-1], or by their
+// own indices if who is NULL.
+struct corners corners_among(struct points points, const uint32_t *who,
+                             int threads);
 //<

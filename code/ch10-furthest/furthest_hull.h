@@ -1,0 +1,16 @@
+//> Declare the search among the corners
+// Everybody asks all corners of the hull: n times as many distances as
+// there are corners, n^2 on a circle.
+#pragma once
+#include "ch10-furthest/hull.h"
+
+// The furthest of these corners for every point of the question, by its
+// threads.
+void search_corners(const struct question *question,
+                    const struct corners *corners,
+                    struct answers *answers);
+
+// The row of the table: finds the corners, and searches them.
+void furthest_hull(const struct question *question,
+                   struct answers *answers);
+//<
