@@ -173,10 +173,13 @@ $(BUILD)/near-and-far.pdf: $(programs) $(figures) $(press) $(sources) \
 check-book: $(programs) $(figures) | $(BUILD)/setup/test
 	@BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --check --build $(BUILD)
 
-#: the picture in README.md
-picture:
+#: the pictures and the numbers in README.md, from book/data
+readme: | $(BUILD)/setup/book
 	gnuplot -e "format = 'png'; output = 'book/nearest-and-furthest.png'; \
 		data = 'book/data'" book/figures/ch01-arrows.gp
+	gnuplot -e "format = 'png'; output = 'book/journey.png'; \
+		data = 'book/data'" book/figures/ch10-journey.gp
+	$(LUA) book/press/readme.lua README.md book/data/ch10-journey.tsv
 
 # ---- chapters and measurements -------------------------------------
 #: test and demonstrate chapter N
@@ -290,5 +293,5 @@ help:
 -include $(wildcard $(patsubst %,$(BUILD)/%.d,plain/* plain/*/* plain/*/*/* \
 	counting/* counting/*/*))
 
-.PHONY: all programs test test-all check-book picture chapterN measure measureN
+.PHONY: all programs test test-all check-book readme chapterN measure measureN
 .PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory format clean help
