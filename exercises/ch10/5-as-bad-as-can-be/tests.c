@@ -1,0 +1,231 @@
+// Tests of the worst case: the corners of the hull, and where the
+// points are that are none.
+#include "exercise.h"
+#include "kit.h"
+#include <math.h>
+#include <stdlib.h>
+
+static struct points given;
+
+static double turn(uint32_t i, uint32_t j, uint32_t k)
+{
+    const double *x = given.x, *y = given.y;
+    return (x[j] - x[i]) * (y[k] - y[i]) -
+           (y[j] - y[i]) * (x[k] - x[i]);
+}
+
+static int compare(const void *a, const void *b)
+{
+    uint32_t i = *(const uint32_t *)a, j = *(const uint32_t *)b;
+    if (given.x[i] != given.x[j])
+        return given.x[i] < given.x[j] ? -1 : 1;
+    return (given.y[i] > given.y[j]) - (given.y[i] < given.y[j]);
+}
+
+static uint32_t add(uint32_t *stack, uint32_t count, uint32_t low,
+                    uint32_t j)
+{
+    while (count > low &&
+           turn(stack[count - 2], stack[count - 1], j) <= 0)
+        count--;
+    stack[count] = j;
+    return count + 1;
+}
+
+// What becomes of the points.
+struct census {
+    uint32_t corners, along, inside, duplicates;
+    uint32_t shallow; // hardly inside
+    uint32_t witness; // one that is along a side, or else inside
+};
+
+static bool lies_along(const uint32_t *corner, uint32_t count,
+                       uint32_t i)
+{
+    for (uint32_t c = 0; c < count; c++)
+        if (turn(corner[c], corner[(c + 1) % count], i) == 0)
+            return true;
+    return false;
+}
+
+// No more than rounding can move a point, and a little.
+static bool is_shallow(const uint32_t *corner, uint32_t count,
+                       uint32_t i)
+{
+    for (uint32_t c = 0; c < count; c++) {
+        uint32_t j = corner[c], k = corner[(c + 1) % count];
+        double length =
+            hypot(given.x[k] - given.x[j], given.y[k] - given.y[j]);
+        if (turn(j, k, i) < 1.5 * length)
+            return true;
+    }
+    return false;
+}
+
+static bool is_corner(const uint32_t *corner, uint32_t count,
+                      uint32_t i)
+{
+    for (uint32_t c = 0; c < count; c++)
+        if (corner[c] == i)
+            return true;
+    return false;
+}
+
+static struct census take_census(void)
+{
+    uint32_t n = given.n, m = 0, count = 0;
+    uint32_t *order = kit_input("order", n, sizeof *order);
+    uint32_t *corner = kit_input("corner", n + 1, sizeof *corner);
+    for (uint32_t i = 0; i < n; i++)
+        order[i] = i;
+    qsort(order, n, sizeof *order, compare);
+    for (uint32_t s = 0; s < n; s++)
+        if (m == 0 || compare(&order[m - 1], &order[s]) != 0)
+            order[m++] = order[s];
+    for (uint32_t s = 0; s < m; s++)
+        count = add(corner, count, 1, order[s]);
+    uint32_t lower = count;
+    for (uint32_t s = m - 1; s-- > 0;)
+        count = add(corner, count, lower, order[s]);
+    count -= count > 1;
+    struct census census = {.corners = count, .duplicates = n - m};
+    for (uint32_t s = 0; s < m; s++) {
+        if (is_corner(corner, count, order[s]))
+            continue;
+        bool along = lies_along(corner, count, order[s]);
+        if (along || census.along == 0)
+            census.witness = order[s];
+        census.along += along;
+        census.inside += !along;
+        census.shallow += !along && is_shallow(corner, count, order[s]);
+    }
+    return census;
+}
+
+// Corners that are known to be possible: four for each step to the
+// right, and upward or level, that has no common divisor, the shortest
+// first.
+static uint32_t possible(uint32_t side)
+{
+    uint32_t steps = 0, room = side;
+    for (uint32_t sum = 1; sum <= room; sum++)
+        for (uint32_t a = 1; a <= sum && sum <= room; a++) {
+            uint32_t p = a, q = sum - a;
+            while (q > 0) {
+                uint32_t rest = p % q;
+                p = q;
+                q = rest;
+            }
+            if (p == 1) {
+                steps++;
+                room -= sum;
+            }
+        }
+    return 4 * steps;
+}
+
+static void check_places(uint32_t side)
+{
+    for (uint32_t i = 0; i < given.n; i++) {
+        double x = given.x[i], y = given.y[i];
+        bool set = x == 0 || fabs(x) > 1e-100; // as nonsense is not
+        if (!(x >= 0 && x <= side && y >= 0 && y <= side))
+            WRONG(.where = kit_text("point %u", i),
+                  .expected = kit_text("x and y from 0 to %u", side),
+                  .found = kit_point(given, i),
+                  .cause =
+                      !set ? "Was it ever set?"
+                           : "It lies outside of the box. The steps to "
+                             "the right must not sum to more than the "
+                             "side, nor those upward, and the first "
+                             "point needs room to its left.");
+        if (x != floor(x) || y != floor(y))
+            WRONG(.where = kit_text("point %u", i),
+                  .expected = "whole numbers",
+                  .found = kit_point(given, i),
+                  .cause = "Round them. Does it stay a corner?");
+    }
+}
+
+static const char *cause(struct census census)
+{
+    if (3 * census.along > census.corners &&
+        census.along >= census.inside / 2)
+        return "Points along a side are no corners: steps of the same "
+               "direction are one side. Are there steps with a common "
+               "divisor?";
+    if (2 * census.inside > census.corners &&
+        2 * census.shallow > census.inside)
+        return "Most others are inside of the hull, but only just: "
+               "rounding has moved them there. Choose the sides, in "
+               "whole numbers, and let the corners follow.";
+    if (2 * census.inside > census.corners)
+        return "Most others are well inside of the hull. Was nothing "
+               "done to place them on it, or are the sides not in the "
+               "order of their angles?";
+    return "Nothing is wrong with these corners, but there is room "
+           "for more of them: sides in all four quarters, and the "
+           "shortest steps of all directions first.";
+}
+
+static void check(uint32_t n, uint32_t side, uint32_t wanted)
+{
+    kit_next_case();
+    given = (struct points){
+        n,
+        kit_output("points.x", n, sizeof(double)),
+        kit_output("points.y", n, sizeof(double)),
+    };
+    kit_given("%u points, a side of %u", n, side);
+    CALL(STUDENT(worst_case)(given, side));
+    check_places(side);
+    struct census census = take_census();
+    if (wanted == 0)
+        wanted = possible(side) * 9 / 10;
+    if (census.corners >= wanted)
+        return;
+    bool others = census.along + census.inside > 0;
+    WRONG(.where = others ? kit_text("such as %s",
+                                     kit_point(given, census.witness))
+                          : NULL,
+          .expected = kit_text("%u corners", wanted),
+          .found = kit_text("%u corners, %u points along the sides, %u "
+                            "inside, and %u in the place of another",
+                            census.corners, census.along, census.inside,
+                            census.duplicates),
+          .cause = cause(census));
+}
+
+static void hundred(uint64_t seed)
+{
+    (void)seed;
+    check(1000, 1000, 100);
+}
+
+static void two_hundred(uint64_t seed)
+{
+    (void)seed;
+    check(1000, 1000, 200);
+}
+
+static void most(uint64_t seed)
+{
+    (void)seed;
+    check(1000, 1000, 340);
+}
+
+static void other_boxes(uint64_t seed)
+{
+    static const uint32_t sides[] = {10, 12, 20, 30, 60, 100, 300};
+    (void)seed;
+    for (int k = 0; k < 7; k++)
+        check(200, sides[k], 0);
+}
+
+const struct kit_test kit_tests[] = {
+    {"hundred", 3, "a hundred corners", hundred},
+    {"two-hundred", 2, "two hundred corners", two_hundred},
+    {"most", 3, "340 corners", most},
+    {"other-boxes", 2, "sides from 10 to 300", other_boxes},
+    {0},
+};
