@@ -82,7 +82,7 @@ if command -v dpkg-query >/dev/null; then
     dpkg-query -W -f '${Essential} ${Package}\n' |
         awk '$1 == "yes" { print $2 }' >"$said"
     for file in $(dpkg -L $(cat "$said") gcc binutils make mawk 2>/dev/null |
-        grep '^\(/usr\)\?/bin/.') $(command -v cc awk); do
+        grep '^\(/usr\)\?/bin/.') $(command -v cc) $(command -v awk); do
         ln -sf "$file" "$plain"
     done
 fi
