@@ -13,6 +13,13 @@ sanitized := $(flags) -O1 -fno-omit-frame-pointer \
 	-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 optimized := $(flags) -O3 -march=$(MARCH)
 quick     := $(flags) -O1
+# As different as can be: the other compiler, if it has OpenMP, and the
+# plainest processor.
+plain     := $(flags) -O3 -march=$(if $(filter x86_64,$(shell uname -m)),x86-64,native)
+rival     := $(if $(findstring clang,$(CC)),gcc,clang)
+rival     := $(if $(shell echo 'int main(void) { return 0; }' | \
+	$(rival) -fopenmp -x c - -o /dev/null 2>&1),$(CC),$(rival))
+compiler   = $(if $(filter plain,$(1)),$(rival),$(CC))
 # With hooks for slow_motion.h, if the tests want them.
 slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thread)
 
@@ -26,29 +33,29 @@ headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 define variant_rules
 $(K)/$(1)/common/%.o: code/common/%.c $(headers)
 	@mkdir -p $$(@D)
-	$$(CC) $$($(1)) -c $$< -o $$@
+	$(call compiler,$(1)) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%.o: exercises/kit/%.c $(headers)
 	@mkdir -p $$(@D)
-	$$(CC) $$($(1)) -c $$< -o $$@
+	$(call compiler,$(1)) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%/grader: exercises/%/tests.c exercises/%/exercise.h \
 		$(kit_modules:%=$(K)/$(1)/%.o) $(modules:%=$(K)/$(1)/%.o)
 	@mkdir -p $$(@D)
-	$$(CC) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
+	$(call compiler,$(1)) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
 		$$(filter %.c %.o,$$^) -o $$@ -lm -ldl
 endef
-$(foreach v,sanitized optimized,$(eval $(call variant_rules,$(v))))
+$(foreach v,sanitized optimized plain,$(eval $(call variant_rules,$(v))))
 
 # ---- the student's file: SOURCE, as a library TO -------------------
 # The shell expands both names, for they may be anything. TO.d lists
 # all that was included.
 export SOURCE TO
 library:
-	$(CC) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
+	$(call compiler,$(VARIANT)) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
 		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
 		-MD -MF "$$TO.d" -c "$$SOURCE" -o "$$TO.o"
-	$(CC) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
+	$(call compiler,$(VARIANT)) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
 
 # ---- the reports ---------------------------------------------------
 $(K)/results: exercises/kit/results.c
@@ -65,7 +72,8 @@ mutants := $(foreach e,$(programmed),$(patsubst exercises/%.sed,$(K)/%.result,\
 	$(wildcard exercises/$(e)/mutants/*.sed)))
 results := $(exercises:%=$(K)/%/text.result) \
 	$(programmed:%=$(K)/%/starter.result) \
-	$(programmed:%=$(K)/%/solution.result) $(mutants)
+	$(programmed:%=$(K)/%/solution.result) \
+	$(programmed:%=$(K)/%/rival.result) $(mutants)
 
 check: $(results)
 	@cat $(results)
@@ -82,6 +90,10 @@ $(K)/$(1)/starter.result: $(K)/$(1)/starter.c $(K)/optimized/$(1)/grader $(kit)
 $(K)/$(1)/solution.result: exercises/$(1)/solution.c $(kit) \
 		$(K)/optimized/$(1)/grader $(K)/sanitized/$(1)/grader
 	exercises/kit/check solution $(1) >$$@
+
+$(K)/$(1)/rival.result: exercises/$(1)/solution.c $(kit) \
+		$(K)/plain/$(1)/grader
+	exercises/kit/check rival $(1) >$$@
 
 $(K)/$(1)/mutants/%.result: exercises/$(1)/mutants/%.sed $(kit) \
 		exercises/$(1)/solution.c $(K)/optimized/$(1)/grader
