@@ -75,6 +75,7 @@ static const struct rule computing[] = {
     {__NR_membarrier, 0, 0, 0},
     {__NR_sched_yield, 0, 0, 0},
     {__NR_sched_getaffinity, 0, 0, 0},
+    {__NR_sched_setaffinity, 0, ~0u, 0}, // its own
     {__NR_getcpu, 0, 0, 0},
     {__NR_gettid, 0, 0, 0},
     {__NR_getpid, 0, 0, 0},
@@ -305,6 +306,16 @@ static void end_generation(void)
     fclose(file);
 }
 
+// LLVM's OpenMP library leaves a file behind for a process that ends as
+// ours do.
+static void remove_traces(pid_t child)
+{
+    char name[64];
+    snprintf(name, sizeof name, "/dev/shm/__KMP_REGISTERED_LIB_%d_%d",
+             (int)child, (int)getuid());
+    unlink(name);
+}
+
 void end_children(pid_t child)
 {
     enum { NAP = 1000000, NAPS_MAX = 5000 }; // ns
@@ -320,4 +331,5 @@ void end_children(pid_t child)
         nanosleep(&(struct timespec){.tv_nsec = NAP}, NULL);
         naps++;
     }
+    remove_traces(child);
 }
