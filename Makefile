@@ -91,7 +91,7 @@ $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 # The counting twin keeps its own names to itself.
 twin := counting_algorithms counting_take counting_search_sorted \
 	counting_search_row_spans counting_search_edge_cells \
-	counting_search_one_corner
+	counting_search_one_corner counting_search_furthest_cells
 $(BUILD)/counting.o: $(counting)
 	$(call say,link)
 ifeq ($(shell uname),Darwin)

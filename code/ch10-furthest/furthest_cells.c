@@ -7,8 +7,12 @@
 #include "common/fail.h"
 #include <stdlib.h>
 
+#ifdef COUNTING
+#define search_furthest_cells counting_search_furthest_cells
+#endif
+
 //> Find the rows that have points
-static struct rows rows_find(const struct sorted *sorted)
+struct rows rows_find(const struct sorted *sorted)
 {
     const uint32_t columns = sorted->grid.x.count;
     const uint32_t n = sorted->grid.y.count;
@@ -18,10 +22,16 @@ static struct rows rows_find(const struct sorted *sorted)
     for (uint32_t row = 0; row < n; row++) {
         rows.place[row] = rows.count;
         rows.row[rows.count] = row;
-        rows.count +=
-            start[row * columns] < start[(row + 1) * columns];
+        rows.count += start[row * columns] < start[(row + 1) * columns];
     }
     return rows;
+}
+
+void rows_free(struct rows *rows)
+{
+    free(rows->place);
+    free(rows->row);
+    *rows = (struct rows){0};
 }
 //<
 
@@ -58,8 +68,7 @@ void search_furthest_cells(const struct question *question,
         else
             seek_for_some(WRAPAROUND, &ground, begin, end, answers);
     }
-    free(rows.place);
-    free(rows.row);
+    rows_free(&rows);
 }
 
 void furthest_cells(const struct question *question,

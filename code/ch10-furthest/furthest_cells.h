@@ -17,6 +17,11 @@ void search_furthest_cells(const struct question *question,
                            const struct sorted *sorted,
                            struct answers *answers);
 
+// Its counting twin: take the counts with counting_take.
+void counting_search_furthest_cells(const struct question *question,
+                                    const struct sorted *sorted,
+                                    struct answers *answers);
+
 // The row of the table: sorts, and searches.
 void furthest_cells(const struct question *question,
                     struct answers *answers);

@@ -11,6 +11,10 @@ struct rows {
     uint32_t count, *row; // from below
     uint32_t *place;      // of a row in this list, if it is there
 };
+
+// Released with rows_free.
+struct rows rows_find(const struct sorted *sorted);
+void rows_free(struct rows *rows);
 //<
 
 // What a search looks at.

@@ -33,13 +33,14 @@ INLINED void look_at(const enum geometry geometry, struct space space,
     const uint32_t *point = sorted->cells.point;
     const uint32_t end = sorted->cells.start[cell + 1];
     uint32_t s = sorted->cells.start[cell];
-    for (; s < end && (viewer->most2 < bound2 ||
-                       (viewer->most2 == bound2 &&
-                        point[s] < viewer->furthest)); s++) {
-        double far2 = pair2(geometry, space,
-                            sorted->points.x[s] - viewer->x,
-                            sorted->points.y[s] - viewer->y)
-                          .far2;
+    for (; s < end &&
+           (viewer->most2 < bound2 ||
+            (viewer->most2 == bound2 && point[s] < viewer->furthest));
+         s++) {
+        double far2 =
+            pair2(geometry, space, sorted->points.x[s] - viewer->x,
+                  sorted->points.y[s] - viewer->y)
+                .far2;
         if (point[s] != viewer->self &&
             (far2 > viewer->most2 ||
              (far2 == viewer->most2 && point[s] < viewer->furthest))) {

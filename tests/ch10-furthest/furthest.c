@@ -1,0 +1,440 @@
+// The furthest point: by cells and by corners, against the plainest
+// search there is, on points that are meant to hurt them; as many
+// corners, cells and distances as were expected; and tricks that must
+// be wrong where the book says so.
+#include "algorithms.h"
+#include "ch09-row-spans/carry.h"
+#include "ch10-furthest/border.h"
+#include "ch10-furthest/expected_far.h"
+#include "ch10-furthest/furthest_cells.h"
+#include "ch10-furthest/hull.h"
+#include "common/generate.h"
+#include "common/random.h"
+#include "harness.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- the answers ---------------------------------------------------
+static struct question ask(struct points points, enum geometry geometry,
+                           int threads)
+{
+    double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
+    for (uint32_t i = 0; i < points.n; i++) {
+        x0 = fmin(x0, points.x[i]), x1 = fmax(x1, points.x[i]);
+        y0 = fmin(y0, points.y[i]), y1 = fmax(y1, points.y[i]);
+    }
+    return (struct question){
+        points, {geometry, x1 - x0, y1 - y0}, threads};
+}
+
+// How many points have another furthest, or another distance to it.
+static uint32_t count_wrong(const struct answers *right,
+                            const struct answers *found, uint32_t n)
+{
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; i < n; i++)
+        wrong += right->furthest2[i] != found->furthest2[i] ||
+                 right->furthest[i] != found->furthest[i];
+    return wrong;
+}
+
+static void check_far(const char *name, struct points points)
+{
+    static const char *const rows[] = {"furthest-cells",
+                                       "furthest-hull"};
+    struct answers right = answers_allocate(points.n);
+    struct answers found = answers_for(points.n, FURTHEST);
+    for (int g = STANDARD; g <= WRAPAROUND; g++) {
+        struct question question = ask(points, g, 1);
+        search_plainly(&question, &right);
+        for (int row = 0; row < 2; row++)
+            for (int threads = 1; threads <= 4; threads *= 2) {
+                const struct algorithm *a = find_algorithm(rows[row]);
+                if (!(a->geometries & g))
+                    continue;
+                question.threads = threads;
+                memset(found.furthest, 0xA5, points.n * 4);
+                a->run(&question, &found);
+                CHECK_INT(0, count_wrong(&right, &found, points.n),
+                          "%s, %u %s points, geometry %d, %d threads",
+                          rows[row], points.n, name, g, threads);
+            }
+    }
+    answers_free(&found);
+    answers_free(&right);
+}
+
+static void check_generated(uint32_t n)
+{
+    for (int d = 0; d < distribution_count; d++) {
+        test_seed(n);
+        struct points points = generate(&distributions[d], n, n);
+        check_far(distributions[d].name, points);
+        points_free(&points);
+    }
+}
+
+static void every_generator(void)
+{
+    static const uint32_t lengths[] = {2,   3,   4,   7,    8,   9,
+                                       255, 256, 257, 1000, 3000};
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++)
+        check_generated(lengths[k]);
+}
+
+// Moves and stretches the points: all that is small against the offset
+// is rounded away.
+static void check_moved(const char *name, double scale, double x,
+                        double y)
+{
+    for (int d = 0; d < distribution_count; d++) {
+        struct points points = generate(&distributions[d], 400, 5);
+        char what[100];
+        snprintf(what, sizeof what, "%s %s", name,
+                 distributions[d].name);
+        for (uint32_t i = 0; i < points.n; i++) {
+            points.x[i] = x + scale * points.x[i];
+            points.y[i] = y + scale * points.y[i];
+        }
+        check_far(what, points);
+        points_free(&points);
+    }
+}
+
+static void moved_and_stretched(void)
+{
+    check_moved("far off", 1, 1e8, -1e8);
+    check_moved("very far off", 1, 1e15, 3e15);
+    check_moved("far off to the right", 1, 1e16, 0);
+    check_moved("tiny", 1e-150, 0, 0);
+    check_moved("vanishing", 1e-161, 0, 0);
+    check_moved("hardly there", 1e-310, 0, 0);
+    check_moved("huge", 1e150, -5e149, 0);
+    check_moved("overflowing", 1e154, 0, 0);
+    check_moved("beyond all bounds", 1e300, 0, 0);
+}
+
+// ---- shapes that hurt ----------------------------------------------
+static double pick(struct random *random, int steps)
+{
+    return (double)(random_bits(random) % steps) / steps;
+}
+
+// Shape 0: a slanted line, off by the last bits; 1: a cross of the
+// diagonals; 2: two crowds, each nearly a point; 3: a circle, off by
+// the last bits; 4: a circle and its center, many times; 5: few
+// places, each many times; 6: a box without one of its corners; 7: a
+// line upright, one point beside it.
+enum { SHAPES = 8 };
+
+static void place(int shape, struct random *random, uint32_t i,
+                  double *x, double *y)
+{
+    double a = random_uniform(random), b = random_uniform(random);
+    random_direction(random, x, y);
+    switch (shape) {
+    case 0:
+        *x = a, *y = a / 3 + (pick(random, 8) - 0.5) * 0x1p-51;
+        break;
+    case 1:
+        *x = a, *y = i % 2 ? a : 1 - a;
+        break;
+    case 2:
+        *x = i % 2 + 1e-9 * a, *y = i % 2 + 1e-9 * b;
+        break;
+    case 3:
+        *x += (pick(random, 8) - 0.5) * 0x1p-51;
+        break;
+    case 4:
+        if (i % 2)
+            *x = *y = 0;
+        break;
+    case 5:
+        *x = pick(random, 3), *y = pick(random, 3);
+        break;
+    case 6:
+        while (a + b > 1.6)
+            a = random_uniform(random), b = random_uniform(random);
+        *x = a, *y = b;
+        break;
+    default:
+        *x = i == 5 ? 1e-12 : 0, *y = a;
+    }
+}
+
+static struct points shaped(int shape, uint32_t n, uint64_t seed)
+{
+    struct random random = {seed};
+    struct points points = points_allocate(n);
+    for (uint32_t i = 0; i < n; i++)
+        place(shape, &random, i, &points.x[i], &points.y[i]);
+    return points;
+}
+
+static void shapes_that_hurt(void)
+{
+    static const uint32_t lengths[] = {2, 3, 5, 20, 200, 2000};
+    for (int shape = 0; shape < SHAPES; shape++)
+        for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+            char name[20];
+            snprintf(name, sizeof name, "shape %d", shape);
+            test_seed(k);
+            struct points points = shaped(shape, lengths[k], k);
+            check_far(name, points);
+            points_free(&points);
+        }
+}
+
+// A coordinate for a file of cities: few digits, thousands of ties.
+static void few_digits(void)
+{
+    struct random random = {3};
+    struct points points = points_allocate(3000);
+    test_seed(3);
+    for (uint32_t i = 0; i < points.n; i++) {
+        points.x[i] =
+            -180 + floor(36000 * random_uniform(&random)) / 100;
+        points.y[i] = 40 + floor(900 * random_uniform(&random)) / 100;
+    }
+    check_far("few digits", points);
+    points_free(&points);
+}
+
+// ---- the corners ---------------------------------------------------
+// Renyi and Sulanke (1963), for a square.
+static double expected_corners(double n)
+{
+    return 8.0 / 3 * (log(n) + 0.57721566490153286 - log(2));
+}
+
+static uint32_t corners_of(struct points points)
+{
+    struct question question = ask(points, STANDARD, 2);
+    struct corners corners = corners_find(&question);
+    uint32_t count = corners.points.n;
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t i = corners.point[k];
+        CHECK(k == 0 || corners.point[k - 1] < i, "ascending");
+        CHECK_DOUBLE(points.x[i], corners.points.x[k], "x of %u", k);
+        CHECK_DOUBLE(points.y[i], corners.points.y[k], "y of %u", k);
+    }
+    corners_free(&corners);
+    return count;
+}
+
+static void corners_as_expected(void)
+{
+    for (uint32_t n = 1000; n <= 1000000; n *= 10) {
+        const int sets = n < 100000 ? 40 : 5;
+        double sum = 0;
+        for (int seed = 0; seed < sets; seed++) {
+            struct points points =
+                generate(find_distribution("uniform"), n, seed);
+            sum += corners_of(points);
+            points_free(&points);
+        }
+        CHECK_NEAR(expected_corners(n), sum / sets,
+                   0.2 * expected_corners(n), "corners of %u", n);
+    }
+}
+
+static void corners_of_shapes(void)
+{
+    static const uint32_t most[SHAPES] = {200,  4, 100, 3000,
+                                          3000, 4, 500, 3};
+    for (int shape = 0; shape < SHAPES; shape++) {
+        struct points points = shaped(shape, 3000, 1);
+        uint32_t count = corners_of(points);
+        CHECK(count >= 2 && count <= most[shape],
+              "shape %d: %u corners", shape, count);
+        points_free(&points);
+    }
+    struct points lattice =
+        generate(find_distribution("lattice"), 10000, 1);
+    CHECK_INT(4, corners_of(lattice), "corners of a lattice");
+    points_free(&lattice);
+}
+
+static void corners_of_any_threads(void)
+{
+    struct points points =
+        generate(find_distribution("circle"), 2000, 1);
+    struct question question = ask(points, STANDARD, 1);
+    struct corners one = corners_find(&question);
+    CHECK(one.points.n > 1900, "a circle has corners all over");
+    for (question.threads = 2; question.threads <= 64;
+         question.threads *= 2) {
+        struct corners many = corners_find(&question);
+        CHECK_INT(one.points.n, many.points.n, "%d threads",
+                  question.threads);
+        CHECK_INT(0, memcmp(one.point, many.point, 4 * one.points.n),
+                  "%d threads: who", question.threads);
+        corners_free(&many);
+    }
+    corners_free(&one);
+    points_free(&points);
+}
+
+// ---- counts and means ----------------------------------------------
+static struct counts count_far(enum geometry geometry, uint32_t n,
+                               uint64_t seed)
+{
+    struct points points =
+        generate(find_distribution("uniform"), n, seed);
+    struct question question = {points, {geometry, 1, 1}, 2};
+    struct answers found = answers_for(n, FURTHEST);
+    struct counts counts = count_operations(
+        find_algorithm("furthest-cells"), &question, &found);
+    answers_free(&found);
+    points_free(&points);
+    return counts;
+}
+
+// All points of a set look at the same few corners: only several sets
+// have a mean.
+static void check_counts(enum geometry geometry, uint32_t n, int sets)
+{
+    const double c = POINTS_PER_FAR_CELL;
+    const double cells = expected_outside(geometry, c);
+    const double own = geometry == WRAPAROUND; // looks at himself
+    double looked = 0, asked = 0;
+    for (int seed = 0; seed < sets; seed++) {
+        struct counts counts = count_far(geometry, n, seed);
+        looked += (double)counts.cells / n / sets;
+        asked += (double)counts.distances / n / sets;
+    }
+    CHECK_NEAR(cells, looked, 0.2 * cells,
+               "cells, geometry %d, %u points", geometry, n);
+    CHECK_NEAR(c * cells + own, asked, 0.2 * (c * cells + own),
+               "distances, geometry %d, %u points", geometry, n);
+}
+
+static void counts_as_expected(void)
+{
+    for (uint32_t n = 1000; n <= 1000000; n *= 10) {
+        check_counts(STANDARD, n, n < 1000000 ? 40 : 8);
+        check_counts(WRAPAROUND, n, 1);
+    }
+}
+
+// The coursework's, of ten sets of 100,000 points.
+static void means_as_reported(void)
+{
+    static const double reported[] = {1.067968, 1.412812};
+    const uint32_t n = 100000;
+    struct points points = generate(find_distribution("uniform"), n, 2);
+    struct answers found = answers_for(n, FURTHEST);
+    for (int g = STANDARD; g <= WRAPAROUND; g++) {
+        struct question question = {points, {g, 1, 1}, 2};
+        double sum = 0;
+        furthest_cells(&question, &found);
+        for (uint32_t i = 0; i < n; i++)
+            sum += sqrt(found.furthest2[i]);
+        CHECK_NEAR(reported[g - 1], sum / n, 0.003 * reported[g - 1],
+                   "mean furthest distance, geometry %d", g);
+    }
+    answers_free(&found);
+    points_free(&points);
+}
+
+// ---- the tricks ----------------------------------------------------
+typedef void sorted_search(const struct question *question,
+                           const struct sorted *sorted,
+                           struct answers *answers);
+
+static uint32_t wrong_answers(struct points points,
+                              sorted_search *search, double c)
+{
+    struct question question = ask(points, STANDARD, 2);
+    struct sorted sorted = sorted_carry(&question, c);
+    struct answers right = answers_allocate(points.n);
+    struct answers found = answers_for(points.n, FURTHEST);
+    search_plainly(&question, &right);
+    search(&question, &sorted, &found);
+    uint32_t wrong = count_wrong(&right, &found, points.n);
+    answers_free(&found);
+    answers_free(&right);
+    sorted_free(&sorted);
+    return wrong;
+}
+
+// With so many points in a cell hardly one is empty.
+static const double TRUSTED = 15;
+
+static void tricks_that_work(void)
+{
+    struct points points =
+        generate(find_distribution("uniform"), 5000, 1);
+    test_seed(1);
+    CHECK_INT(0, wrong_answers(points, search_edge_cells, TRUSTED),
+              "edge cells");
+    CHECK_INT(0, wrong_answers(points, search_one_corner, TRUSTED),
+              "one corner");
+    points_free(&points);
+}
+
+// Four points in the middles of the edges make the box; the rest are on
+// the diagonals, away from all edges.
+static void edge_cells_fail(void)
+{
+    struct random random = {1};
+    struct points points = points_allocate(2000);
+    for (uint32_t i = 0; i < points.n; i++) {
+        double a = 0.1 + 0.8 * random_uniform(&random);
+        points.x[i] = a;
+        points.y[i] = i % 2 ? a : 1 - a;
+    }
+    points.x[0] = 0, points.x[1] = 1, points.x[2] = points.x[3] = 0.5;
+    points.y[2] = 0, points.y[3] = 1, points.y[0] = points.y[1] = 0.5;
+    uint32_t wrong = wrong_answers(points, search_edge_cells, 4);
+    CHECK(wrong > 1000, "edge cells: only %u wrong", wrong);
+    points_free(&points);
+}
+
+// One corner is cut off, so that its cell is empty: who is far from
+// there may find nobody outside the circle.
+static void corner_trick_fails(void)
+{
+    struct points points = shaped(6, 5000, 1);
+    uint32_t wrong = wrong_answers(points, search_one_corner, TRUSTED);
+    CHECK(wrong > 1000 && wrong < 4500, "one corner: %u wrong", wrong);
+    points_free(&points);
+}
+
+static void tricks_count(void)
+{
+    const uint32_t n = 60000;
+    const double edge = sqrt(n / TRUSTED);
+    static sorted_search *const searches[] = {
+        counting_search_edge_cells, counting_search_one_corner};
+    const double expected[] = {4 * edge - 4, 4 + 16 / edge};
+    struct points points = generate(find_distribution("uniform"), n, 1);
+    struct question question = ask(points, STANDARD, 2);
+    struct sorted sorted = sorted_carry(&question, TRUSTED);
+    struct answers found = answers_for(n, FURTHEST);
+    for (int trick = 0; trick < 2; trick++) {
+        double cells = expected[trick];
+        searches[trick](&question, &sorted, &found);
+        struct counts counts = counting_take();
+        CHECK_NEAR(cells, (double)counts.cells / n, 0.2 * cells,
+                   "cells, trick %d", trick);
+        CHECK_NEAR(TRUSTED * cells, (double)counts.distances / n,
+                   0.2 * TRUSTED * cells, "distances, trick %d", trick);
+    }
+    answers_free(&found);
+    sorted_free(&sorted);
+    points_free(&points);
+}
+
+int main(void)
+{
+    return RUN_TESTS("ch10-furthest", TEST(every_generator),
+                     TEST(moved_and_stretched), TEST(shapes_that_hurt),
+                     TEST(few_digits), TEST(corners_as_expected),
+                     TEST(corners_of_shapes),
+                     TEST(corners_of_any_threads),
+                     TEST(counts_as_expected), TEST(means_as_reported),
+                     TEST(tricks_that_work), TEST(edge_cells_fail),
+                     TEST(corner_trick_fails), TEST(tricks_count));
+}
