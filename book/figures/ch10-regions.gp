@@ -10,10 +10,11 @@ set size ratio -1
 set cbrange [0:7]
 set multiplot layout 1,2 margins 0.02,0.98,0.03,0.97 spacing 0.04,0
 do for [name in "uniform clustered"] {
+  set xrange [*:*]; set yrange [*:*]
   stats table using (of(name, 2)):(of(name, 3)) nooutput
   set xrange [STATS_min_x - 0.01:STATS_max_x + 0.01]
   set yrange [STATS_min_y - 0.01:STATS_max_y + 0.01]
-  plot table using (of(name, 2)):3:(int($4) % 8) with points pt 7 ps 0.16 lc palette, \
+  plot table using (of(name, 2)):3:(int($4) % 8) with points pt 7 ps 0.28 lc palette, \
        table using (of(name, 2)):($5 > 0 ? $3 : NaN) with points pt 6 ps 0.9 lc rgb "black"
 }
 unset multiplot

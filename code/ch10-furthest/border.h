@@ -3,7 +3,7 @@
 // coursework looks: in all cells along the border of the grid, or in
 // those that the corner trick leaves over. Right as long as no corner
 // cell is empty (edge cells), or no cell at all (one corner); wrong
-// without a word otherwise..
+// without a word otherwise.
 #pragma once
 #include "ch04-cell-sort/sorted.h"
 #include <stdbool.h>

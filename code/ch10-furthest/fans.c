@@ -3,7 +3,7 @@
 // the one that is the furthest of most, and of how many it is the
 // furthest itself.
 //
-//     regions [POINTS]
+//     fans [POINTS]
 #include "algorithms.h"
 #include "common/argument.h"
 #include "common/fail.h"
@@ -60,7 +60,7 @@ static void print_kind(const char *kind, uint32_t n)
 
 int main(int argc, char **argv)
 {
-    fail_as("regions", NULL);
+    fail_as("fans", NULL);
     uint32_t n = argument(argc, argv, 1, "POINTS", 6000, 2, MANY);
     report_provenance(stdout);
     puts("kind\tx\ty\trank\tfans");
