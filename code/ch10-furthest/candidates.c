@@ -46,7 +46,7 @@ int main(int argc, char **argv)
     for (uint64_t n = 1000; n <= most; n *= 10) {
         struct question question = uniform_question(STANDARD, n, 1);
         struct answers answers = answers_allocate(n);
-        printf("n%u\t%u", (unsigned)n, (unsigned)n);
+        printf("trick%u\t%u", (unsigned)n, (unsigned)n);
         print_counts(&question, 2, &answers);
         print_counts(&question, sqrt(n), &answers);
         puts("");

@@ -26,14 +26,14 @@ static const struct stage {
     const char *name;
     enum pace pace;
 } stages[] = {
-    {"first", SLOW},         {"naive", SLOW},
-    {"triangle", SLOW},      {"triangle-reduction", SLOW},
-    {"tiles", LONG},         {"triangle-tiles", LONG},
-    {"cells-lists", FAST},   {"cells-indices", FAST},
-    {"cells-sorted", FAST},  {"cells", FAST},
-    {"cells-threads", FAST}, {"spiral", FAST},
-    {"vector-spiral", FAST}, {"row-spans", FAST},
-    {"furthest-hull", FAST},
+    {"first", SLOW},          {"naive", SLOW},
+    {"triangle", SLOW},       {"triangle-reduction", SLOW},
+    {"tiles", LONG},          {"triangle-tiles", LONG},
+    {"cells-lists", FAST},    {"cells-indices", FAST},
+    {"cells-sorted", FAST},   {"cells", FAST},
+    {"cells-threads", FAST},  {"spiral", FAST},
+    {"vector-spiral", FAST},  {"row-spans", FAST},
+    {"furthest-cells", FAST}, {"furthest-hull", FAST},
 };
 enum { STAGES = sizeof stages / sizeof *stages };
 //<

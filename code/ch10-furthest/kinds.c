@@ -1,6 +1,6 @@
 //> Try the furthest on points of every kind
 // Distances and nanoseconds a point of the furthest by cells and by the
-// hull, of both answers in one go, and of all pairs in tiles, on points
+// hull, and of all pairs in tiles, on points
 // that suit one of them and on points that suit none. One thread.
 //
 //     kinds [POINTS [TRIALS]]
@@ -15,7 +15,6 @@ static const struct {
     const char *algorithm, *name;
 } ways[] = {{"furthest-cells", "cells"},
             {"furthest-hull", "hull"},
-            {"near-and-far", "both"},
             {"tiles", "tiles"}};
 enum { WAYS = sizeof ways / sizeof *ways };
 

@@ -1,0 +1,15 @@
+# The whole time a point over the number of points: the nearest, the
+# furthest, and both.
+# demo: plot
+height = 2.8
+load "book/figures/style.gp"
+table = data . "/ch10-sizes.tsv"
+set logscale xy
+set xlabel "points"
+set ylabel "ns a point"
+set xrange [700:15000000]
+set xtics ("1,000" 1000, "10,000" 10000, "100,000" 100000, "1,000,000" 1e6, "10,000,000" 1e7)
+set key top left
+plot table using "n":"spans":"spans_q1":"spans_q3" with yerrorlines lt 1 title "nearest, row spans", \
+     "" using "n":"cells":"cells_q1":"cells_q3" with yerrorlines lt 2 title "furthest, by cells", \
+     "" using "n":"hull":"hull_q1":"hull_q3" with yerrorlines lt 3 title "furthest, by the hull"

@@ -1,0 +1,107 @@
+//> Take the means in milliseconds
+// The mean distances of uniform points in both geometries, with the
+// time that both answers took on all processors; or the histogram of
+// the furthest.
+//
+//     means means|histogram [POINTS [SETS]]
+#include "algorithms.h"
+#include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+#include <omp.h>
+#include <string.h>
+
+enum { BINS = 60, MOST_SETS = 100 };
+
+//> Answer both as near does
+// By the fastest algorithm for each; once, if that is the same.
+static void answer_both(const struct question *question,
+                        struct answers *answers)
+{
+    enum geometry geometry = question->space.geometry;
+    const struct algorithm *near = fastest_algorithm(geometry, NEAREST);
+    const struct algorithm *far = fastest_algorithm(geometry, FURTHEST);
+    near->run(question, answers);
+    if (far != near)
+        far->run(question, answers);
+}
+//<
+
+//> Sum up one set of points
+// Of furthest distances, how many are in each of the bins between low
+// and high.
+struct sums {
+    double nearest, furthest;     // distances
+    double ns[MOST_SETS];         // for each set
+    double low, high, bins[BINS]; // of the furthest
+    double points;                // in all sets
+};
+
+static void add_set(enum geometry geometry, uint32_t n, int set,
+                    struct sums *sums)
+{
+    struct question question = uniform_question(geometry, n, set + 1);
+    question.threads = omp_get_num_procs();
+    struct answers answers = answers_allocate(n);
+    answer_both(&question, &answers);
+    int64_t start = clock_ns();
+    answer_both(&question, &answers);
+    sums->ns[set] = clock_ns() - start;
+    for (uint32_t i = 0; i < n; i++) {
+        double far = sqrt(answers.furthest2[i]);
+        sums->nearest += sqrt(answers.nearest2[i]);
+        sums->furthest += far;
+        double place = (far - sums->low) / (sums->high - sums->low);
+        if (place >= 0 && place < 1)
+            sums->bins[(int)(place * BINS)]++;
+    }
+    sums->points += n;
+    answers_free(&answers);
+    points_free(&question.points);
+}
+//<
+
+int main(int argc, char **argv)
+{
+    fail_as("means", NULL);
+    if (argc < 2 || (strcmp(argv[1], "means") != 0 &&
+                     strcmp(argv[1], "histogram") != 0))
+        fail("say what to print: means or histogram");
+    uint32_t n = argument(argc, argv, 2, "POINTS", 100000, 2, MANY);
+    int sets = argument(argc, argv, 3, "SETS", 3, 1, MOST_SETS);
+    static struct sums sums[2];
+    sums[0].low = 0.7, sums[0].high = sums[1].high = sqrt(2);
+    sums[1].low = sqrt(2) - 1.4 / sqrt(n);
+    for (int set = 0; set < sets; set++) {
+        add_set(STANDARD, n, set, &sums[0]);
+        add_set(WRAPAROUND, n, set, &sums[1]);
+    }
+    report_provenance(stdout);
+    if (strcmp(argv[1], "means") == 0) {
+        puts("name\tn\tsets\tthreads\tnearest\tfurthest"
+             "\tns\tns_q1\tns_q3");
+        for (int g = 0; g < 2; g++) {
+            printf("%s_%u\t%u\t%d\t%d\t%.7g\t%.7g",
+                   g ? "wraparound" : "standard", n, n, sets,
+                   omp_get_num_procs(),
+                   sums[g].nearest / sums[g].points,
+                   sums[g].furthest / sums[g].points);
+            struct summary ns = summarize(sums[g].ns, sets);
+            print_summary(&ns, 1);
+            puts("");
+        }
+    } else {
+        puts("standard_at\tstandard\twraparound_at\twraparound");
+        for (int bin = 0; bin < BINS; bin++)
+            for (int g = 0; g < 2; g++) {
+                double width = (sums[g].high - sums[g].low) / BINS;
+                printf("%.6g\t%.6g%c",
+                       sums[g].low + (bin + 0.5) * width,
+                       sums[g].bins[bin] / sums[g].points / width,
+                       g ? '\n' : '\t');
+            }
+    }
+    return 0;
+}
+//<

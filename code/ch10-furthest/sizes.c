@@ -1,0 +1,68 @@
+//> Vary the number of points that ask for the furthest
+// The whole time a point of the furthest by cells and by the hull, of
+// both answers in one go, and of the nearest by row spans, on one
+// thread, from a thousand points on: in the standard geometry and, for
+// those who know it, with wraparound.
+//
+//     sizes [MOST]
+#include "algorithms.h"
+#include "ch02-all-pairs/timing.h"
+#include "common/argument.h"
+#include "common/fail.h"
+#include "common/report.h"
+
+static const struct {
+    const char *algorithm, *name;
+    enum geometry geometry;
+} curves[] = {{"row-spans", "spans", STANDARD},
+              {"furthest-cells", "cells", STANDARD},
+              {"furthest-hull", "hull", STANDARD},
+              {"row-spans", "spans_wrapped", WRAPAROUND},
+              {"furthest-cells", "cells_wrapped", WRAPAROUND}};
+enum { CURVES = sizeof curves / sizeof *curves, SEVERAL = 1000000 };
+
+static void print_points(uint32_t n)
+{
+    struct question question = uniform_question(STANDARD, n, 1);
+    struct answers answers[CURVES];
+    struct search search[CURVES];
+    struct trial trial[CURVES];
+    for (int k = 0; k < CURVES; k++) {
+        const struct algorithm *algorithm =
+            find_algorithm(curves[k].algorithm);
+        answers[k] = answers_for(n, algorithm->answers);
+        question.space.geometry = curves[k].geometry;
+        search[k] =
+            (struct search){algorithm->run, question, &answers[k]};
+        trial[k] = (struct trial){.work = run_search,
+                                  .prepare = run_search,
+                                  .context = &search[k]};
+    }
+    time_in_turn(n > SEVERAL ? 1 : 5, trial, CURVES);
+    printf("n%u\t%u", n, n);
+    for (int k = 0; k < CURVES; k++) {
+        print_summary(&trial[k].summary, n);
+        answers_free(&answers[k]);
+    }
+    puts("");
+    fflush(stdout);
+    points_free(&question.points);
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("sizes", NULL);
+    uint32_t most = argument(argc, argv, 1, "MOST", 300000, 1000, MANY);
+    report_provenance(stdout);
+    printf("name\tn");
+    for (int k = 0; k < CURVES; k++)
+        printf("\t%s\t%s_q1\t%s_q3", curves[k].name, curves[k].name,
+               curves[k].name);
+    puts("");
+    for (uint64_t n = 1000; n <= most; n *= 10)
+        for (int third = 0; third < 2; third++)
+            if ((third ? 3 * n : n) <= most)
+                print_points(third ? 3 * n : n);
+    return 0;
+}
+//<
