@@ -322,6 +322,7 @@ static void check_furthest(void)
         WRONG(.where = kit_point(given, i),
               .expected = kit_point(given, right),
               .found = kit_point(given, found[i]),
+              .picture = {given, {i, found[i]}, {i, right}},
               .cause = tie ? "These tie, and the lowest index is asked "
                              "for. The corners do not come in the "
                              "order of their indices."

@@ -286,6 +286,9 @@ static void check(void)
     if (found->i != right.i || found->j != right.j ||
         found->d2 != right.d2)
         WRONG(.expected = tell(right), .found = tell(*found),
+              .picture = {corners,
+                          {found->i, found->j},
+                          {right.i, right.j}},
               .cause = wrong_cause(right));
 }
 

@@ -301,6 +301,9 @@ static void check_answers(uint32_t steps)
                       kit_text("step %u, %s", t, tell(step[t], i, t)),
                   .expected = tell(step[t], right, t),
                   .found = tell(step[t], found[t * n + i], t),
+                  .picture = {step[t],
+                              {i, found[t * n + i]},
+                              {i, right}},
                   .cause = wrong_cause(t, i, right));
         }
 }
