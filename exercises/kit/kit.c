@@ -610,7 +610,7 @@ static void judge(int status, const char *report)
     if (*report && WIFEXITED(status) &&
         WEXITSTATUS(status) == SANITIZER_STATUS)
         judge_report(report);
-    if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU)
+    if (WIFSIGNALED(status))
         judge_signal(WTERMSIG(status));
     if (trace->problem[0])
         broken("missing", kit_text("%s", trace->problem),
@@ -789,6 +789,9 @@ int main(int argc, char **argv)
     grader.budget = CALLS_MAX * grader.limit;
     prepare(argv[optind + 2]);
     guard_judge();
+    if (SANITIZED && !has_rules())
+        puts("This system has limits to hold a program back, but no "
+             "rules.");
     for (const struct kit_test *test = kit_tests; test->name; test++)
         if (wanted(test->name, argv + optind + 3))
             run_test(test, seed, lost);
