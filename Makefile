@@ -269,7 +269,7 @@ check-race: | $(BUILD)/setup/check
 #: the programs' tests under the address and undefined-behavior sanitizers
 check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
-		TESTS="$(filter-out exercises grade press,$(TESTS))" \
+		TESTS="$(filter-out exercises grade press sheet,$(TESTS))" \
 		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
 		-fsanitize=address,undefined,float-cast-overflow"
 

@@ -56,6 +56,9 @@ else
     really() { quickly "$@"; }
 fi >/dev/null
 
+exercises/course/list >"$said" 2>&1
+check "a list to choose from" grep -q '^4.2 .* 40 min *10  program *How many' "$said"
+
 # ---- a sheet ---------------------------------------------------------
 EXERCISES="4.1 4.2" TITLE="Homework 2" DUE="Friday & Monday" \
     really exercises/course/sheet >"$said" 2>&1
@@ -95,6 +98,8 @@ alone make -C homework-2 exercise4.2 >"$said" 2>&1
 check "the starter fails" [ $? -ne 0 ]
 check "and is told why" says "expected"
 check "and has few points" grep -q '^ * [0-5] / 10$' "$said"
+alone make -C homework-2 hint4.2 >"$said" 2>&1
+check "a hint is given" says "how many numbers are less"
 alone make -C homework-2 exercise4.1 >"$said" 2>&1
 check "on paper too" says "Nine numbers, counted from 0"
 ls -R homework-2 >"$said"
@@ -108,16 +113,20 @@ cp "$copy/exercises/ch04/2-how-many-between/solution.c" \
 alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
 check "the autograder" [ $? -eq 0 ]
 check "Autolab's line" [ "$(tail -n 1 "$said")" = '{"scores": {"4.2": 10.00}}' ]
-read_json() {
-    [ "$(texlua "$root/tests/sheet/json.lua" "$place/grader/results/results.json" \
-        "$1" 2>&1)" = "$2" ]
+cat >"$place/score.lua" <<'END'
+package.path = arg[1] .. "/tests/?.lua;" .. package.path
+print(require "json"(io.open(arg[2]):read("a")).score)
+END
+scored() {
+    [ "$(texlua "$place/score.lua" "$root" \
+        "$place/grader/results/results.json" 2>&1)" = "$1" ]
 }
-check "results.json" read_json score 10.0
+check "results.json" scored 10.0
 check "setup.sh has nothing to do" alone ./setup.sh
 mv exercises/kit/grade exercises/kit/lost
 alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
 check "an autograder that fails" [ $? -ne 0 ]
-check "writes its results all the same" read_json score 0
+check "writes its results all the same" scored 0
 cd "$copy" || exit 1
 
 # ---- what is refused -------------------------------------------------
