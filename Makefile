@@ -155,7 +155,7 @@ test-all: | $(BUILD)/setup/check
 # ---- the book ------------------------------------------------------
 figures := $(patsubst book/figures/%.gp,$(BUILD)/figures/%.pdf,\
 	$(filter-out book/figures/style.gp,$(wildcard book/figures/*.gp)))
-press   := $(shell find book/press book/*.md book/*.bib exercises -type f)
+press   := $(shell find book/press $(wildcard book/manual) book/*.md book/*.bib exercises -type f)
 
 $(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp \
 		$(wildcard book/data/*.tsv) | $(BUILD)/setup/book

@@ -11,6 +11,7 @@ local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
 local latex = require "latex"
+local manual = require "manual"
 local sheet = require "sheet"
 local source = require "source"
 local values = require "values"
@@ -191,6 +192,8 @@ end
 function Pandoc(doc)
   if job.sheet then
     doc.blocks = sheet.assemble(job, doc.meta)
+  elseif job.manual then
+    doc.blocks = manual.assemble(job, doc.meta)
   else
     doc.blocks = assemble(doc.meta)
     fragments.check_shown(book.fragments)

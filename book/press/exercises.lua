@@ -32,6 +32,11 @@ function exercises.time(minutes)
   return ("%d~min"):format(minutes)
 end
 
+-- Hours, if there are several.
+function exercises.roughly(minutes)
+  return minutes > 120 and (minutes + 30) // 60 * 60 or minutes
+end
+
 local function raw_block(text)
   return pandoc.RawBlock("latex", text)
 end

@@ -26,6 +26,19 @@ function latex.text(s)
     :gsub("10([\xc2\xe2][\xb2\xb3\xb9\x81\x82][\x80-\xff]*)", exponent))
 end
 
+-- Words from a comment or a title: quotes become typographic, and what
+-- stands between backticks is code.
+function latex.prose(s)
+  local parts = {}
+  for words, code in (s .. "``"):gmatch("([^`]*)`([^`]*)`") do
+    words = latex.text(words):gsub('"([^"]*)"', "\u{201c}%1\u{201d}")
+      :gsub("'", "\u{2019}")
+    table.insert(parts, words)
+    if code ~= "" then table.insert(parts, latex.inline_code(code)) end
+  end
+  return table.concat(parts)
+end
+
 -- The same for the typewriter, where a space is a column.
 function latex.code(s)
   return (s:gsub("[\\{}$&#%%_^~]", special):gsub(" ", "\\ "))

@@ -49,7 +49,7 @@ end
 
 -- The lines one below the other. A listing that has to break does so at
 -- a blank line, if there is one, or else between statements.
-local function stacked(lines)
+function listing.stacked(lines)
   local result, to_come = {}, 0
   for _, line in ipairs(lines) do
     if line:find("%w") then to_come = to_come + 1 end
@@ -95,7 +95,8 @@ function listing.fragment(fragment)
       latex.text(fragment.parent.title))
   end
   return ("\\begin{fragment}{frag:%d}{%s}{%s}{%s}\n%s\n\\end{fragment}"):format(
-    fragment.id, latex.text(fragment.title), place, used, stacked(lines))
+    fragment.id, latex.text(fragment.title), place, used,
+    listing.stacked(lines))
 end
 
 -- A fragment named in running text.
@@ -110,7 +111,7 @@ function listing.illustration(lines)
   for i, line in ipairs(lines) do
     result[i], in_comment = listing.code_line(line, in_comment)
   end
-  return "\\begin{illustration}\n" .. stacked(result) ..
+  return "\\begin{illustration}\n" .. listing.stacked(result) ..
     "\n\\end{illustration}"
 end
 
@@ -118,7 +119,7 @@ end
 function listing.plain(lines)
   local result = {}
   for i, line in ipairs(lines) do result[i] = latex.code(line) end
-  return "\\begin{illustration}\n" .. stacked(result) ..
+  return "\\begin{illustration}\n" .. listing.stacked(result) ..
     "\n\\end{illustration}"
 end
 
@@ -128,7 +129,7 @@ function listing.output(command, lines)
   for i, line in ipairs(lines) do result[i] = latex.code(line) end
   local environment = #lines > LONG and "longcaptured" or "captured"
   return ("\\begin{%s}{%s}\n%s\n\\end{%s}"):format(environment,
-    latex.code(command), stacked(result), environment)
+    latex.code(command), listing.stacked(result), environment)
 end
 
 return listing

@@ -1,7 +1,7 @@
 -- The press: chapters, code, exercises and data in, the book out.
 --
---   texlua book/press/press.lua [--check | --draft] [--root DIR]
---                               [--build DIR]
+--   texlua book/press/press.lua [--solutions] [--check | --draft]
+--                               [--root DIR] [--build DIR]
 --   texlua book/press/press.lua --sheet PDF TITLE DUE HOW EXERCISE.MD...
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
@@ -9,6 +9,7 @@
 -- before. A fault is reported as "file:line: sentence"; then there is no
 -- book, and the exit status is 1. --check does everything but LaTeX;
 -- --draft sets what there is, faults and all, as BUILD/draft.pdf.
+-- --solutions makes the instructor's manual, BUILD/solutions.pdf, instead.
 -- --sheet prints chosen exercises as an assignment, which ends with the
 -- Markdown file HOW.
 local lfs = require "lfs"
@@ -33,10 +34,13 @@ end
 
 -- ---- the command line -------------------------------------------------
 local root, build, mode, sheet = lfs.currentdir(), nil, nil, nil
+local manual = false
 local i = 1
 while arg[i] do
   if arg[i] == "--check" or arg[i] == "--draft" then
     mode = arg[i]
+  elseif arg[i] == "--solutions" then
+    manual = true
   elseif arg[i] == "--root" and arg[i + 1] then
     i = i + 1
     root = absolute(arg[i])
@@ -83,7 +87,8 @@ local function make_folder(path)
   lfs.mkdir(path)
 end
 
-local folder = build .. (sheet and "/sheet" or "/book")
+local folder = build ..
+  (sheet and "/sheet" or manual and "/solutions" or "/book")
 make_folder(folder)
 
 local job = {
@@ -97,6 +102,10 @@ local job = {
   appendices = below("chapters", "^chapters/appendix%-[^/]*%.md$"),
   exercises = {}, headers = {}, sheet = sheet,
 }
+if manual then
+  job.manual = { front = "book/manual/front.md",
+    texts = below("book/manual", "/%d[^/]*%.md$") }
+end
 for _, path in ipairs(below("exercises", "/exercise%.md$")) do
   local chapter = path:match("^exercises/([^/]*)/")
   job.exercises[chapter] = job.exercises[chapter] or {}
@@ -109,7 +118,8 @@ end
 for _, path in ipairs(below("code/common", "%.h$")) do
   table.insert(job.headers, '"' .. path:gsub("^code/", "") .. '"')
 end
-for _, path in ipairs { job.front, job.bibliography } do
+for _, path in ipairs { job.front, job.bibliography,
+  job.manual and job.manual.front } do
   if not files.exists(path) then faults.add(path, 1, "this file is missing") end
 end
 if #job.chapters == 0 then faults.add("chapters", 1, "there is no chapter") end
@@ -169,16 +179,17 @@ weave()
 if mode == "--check" then os.exit(0) end
 files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
 local chapters = {}
-for _, path in ipairs(sheet and {} or job.chapters) do
+for _, path in ipairs((sheet or manual) and {} or job.chapters) do
   table.insert(chapters, about(path))
 end
 local sources = below("exercises", "/exercise%.md$")
 for _, list in ipairs { job.code, job.chapters, job.appendices, job.data,
+  job.manual and job.manual.texts or {},
   { job.front, job.bibliography } } do
   table.move(list, 1, #list, #sources + 1, sources)
 end
 typeset.run(folder, chapters, sources)
 stop_at(faults.report())
-local pdf = sheet and sheet.pdf
-  or build .. (mode == "--draft" and "/draft.pdf" or "/near-and-far.pdf")
+local pdf = sheet and sheet.pdf or build .. (mode == "--draft" and "/draft.pdf"
+  or manual and "/solutions.pdf" or "/near-and-far.pdf")
 if not os.rename(folder .. "/book.pdf", pdf) then os.exit(1) end

@@ -15,7 +15,6 @@ local fault, raw, raw_block = context.fault, context.raw, context.raw_block
 local mark, class_of = context.mark, context.class_of
 local opening = words_of.opening
 
-local weave = {}
 local block, code = {}, {}
 local here -- the text being woven
 
@@ -38,6 +37,9 @@ local code_attributes = {
   c = { given = true },
   sh = {}, text = {}, make = {}, tsv = {},
 }
+
+-- A text of another kind has blocks of its own.
+local weave = { code = code, code_attributes = code_attributes }
 
 -- After a listing, a small letter goes on with the sentence.
 local function goes_on(x, previous)

@@ -12,4 +12,12 @@ sheet: | $(BUILD)/setup/book
 handout: $(BUILD)/near-and-far.pdf | $(BUILD)/setup/book
 	@BUILD=$(BUILD) exercises/course/handout
 
-.PHONY: exercises sheet handout
+$(BUILD)/solutions.pdf: $(press) $(wildcard chapters/ch*.md book/data/*.tsv) \
+		| $(BUILD)/setup/book
+	$(call say,print)
+	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --solutions --build $(BUILD)
+
+#: the instructor's manual: solutions, mistakes, marking, course plans
+solutions: $(BUILD)/solutions.pdf
+
+.PHONY: exercises sheet handout solutions

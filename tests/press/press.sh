@@ -2,7 +2,8 @@
 # The press's own tests, without LaTeX. Takes the small book good/ as it
 # is; then once with each fault of faults/*.sed, whose first line names
 # the file it spoils and whose second the beginning of a message that
-# must stop the press. Ends with the tests of modules.lua.
+# must stop the press; if the third is "# solutions", it must stop the
+# instructor's manual. Ends with the tests of modules.lua.
 here=$(cd "$(dirname "$0")" && pwd)
 press=$here/../../book/press
 scratch=$(mktemp -d) || exit 1
@@ -15,8 +16,9 @@ book() {
         : >"$1/build/figures/ch01-speed.pdf"
 }
 
+# check FOLDER [--solutions]
 check() {
-    texlua "$press/press.lua" --check --root "$1" >"$1/said" 2>&1
+    texlua "$press/press.lua" $2 --check --root "$1" >"$1/said" 2>&1
 }
 
 test_good() {
@@ -28,15 +30,29 @@ test_good() {
     fi
 }
 
-# What the good book must print: words of its LaTeX, one a line.
-test_printed() {
+# What a LaTeX file must hold: words, one a line.
+holds() {
     while IFS= read -r words; do
-        if grep -qF -e "$words" "$scratch/good/build/book/book.tex"; then
+        if grep -qF -e "$words" "$1"; then
             printf 'ok printed: %s\n' "$words"
         else
             printf 'not ok printed: no %s\n' "$words"
         fi
-    done <"$here/printed"
+    done <"$2"
+}
+
+# The instructor's manual has what the book has not.
+test_solutions() {
+    if check "$scratch/good" --solutions && [ ! -s "$scratch/good/said" ]; then
+        echo "ok solutions"
+    else
+        printf 'not ok solutions: %s\n' "$(head -n 1 "$scratch/good/said")"
+    fi
+    holds "$scratch/good/build/solutions/book.tex" "$here/printed-solutions"
+}
+
+test_printed() {
+    holds "$scratch/good/build/book/book.tex" "$here/printed"
     for words in 'Look at the comparison' 'It computes' 'A later tie' \
         'Everybody gets'; do
         if grep -qF "$words" "$scratch/good/build/book/book.tex"; then
@@ -71,7 +87,8 @@ test_fault() {
     expect=$(sed -n '2s/^# expect: //p' "$1")
     book "$place"
     sed -f "$1" "$here/good/$file" >"$place/$file"
-    check "$place"
+    kind=$(sed -n '3s/^# solutions$/--solutions/p' "$1")
+    check "$place" $kind
     status=$?
     if cmp -s "$here/good/$file" "$place/$file" || [ -z "$expect" ]; then
         echo "not ok fault $name: there is no fault"
@@ -125,6 +142,7 @@ END
 
 test_good
 test_printed
+test_solutions
 test_claim
 test_stopped
 running=0

@@ -1,0 +1,4 @@
+# It keeps the first.
+# expect: names the "first"
+# why: `<` is what they know.
+s/<=/</
