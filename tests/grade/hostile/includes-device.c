@@ -1,5 +1,5 @@
 // Includes a file without an end.
 // score: 0
-// says: it does not compile
+// says: ties
 #include "/dev/zero"
 #include "right.h"
