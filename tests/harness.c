@@ -22,6 +22,13 @@ enum { shown_failures = 5, message_size = 2000 };
 static uint64_t seed;
 static bool has_seed;
 
+uint32_t at_most(const char *variable, uint32_t count)
+{
+    const char *limit = getenv(variable);
+    uint32_t most = limit ? (uint32_t)atoi(limit) : count;
+    return most < count ? most : count;
+}
+
 void test_seed(uint64_t value)
 {
     seed = value;

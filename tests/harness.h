@@ -7,6 +7,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+// So many, or fewer if the environment sets MOST_POINTS or MOST_CASES,
+// whichever is named here: a sanitizer is slow.
+uint32_t at_most(const char *variable, uint32_t count);
+
 // The seed that failures mention from now on, until the test ends.
 void test_seed(uint64_t seed);
 

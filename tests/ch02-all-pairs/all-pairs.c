@@ -298,18 +298,12 @@ static void distances_are_counted(void)
 
 // The mean nearest distance of one set of points scatters by a sixth
 // of a percent, and more if not every point is asked.
-#ifdef __SANITIZE_ADDRESS__
-enum { EVERY = 25 }; // sanitized, all of them would take minutes
-#else
-enum { EVERY = 1 };
-#endif
-
 static void means_are_the_courseworks(void)
 {
     static const double reported[2][2] = {{0.00158207, 1.067968},
                                           {0.00158203, 1.412812}};
-    const uint32_t n = 100000, rows = n / EVERY;
-    const double tolerance = 0.003 * sqrt(EVERY);
+    const uint32_t n = 100000, rows = at_most("MOST_POINTS", n);
+    const double tolerance = 0.003 * sqrt((double)n / rows);
     test_seed(4);
     struct points points = generate(find_distribution("uniform"), n, 4);
     struct answers answers = answers_allocate(n);
@@ -317,7 +311,7 @@ static void means_are_the_courseworks(void)
         struct question question = {points,
                                     {g ? WRAPAROUND : STANDARD, 1, 1},
                                     omp_get_num_procs()};
-        if (EVERY == 1)
+        if (rows == n)
             tiles(&question, &answers);
         else
             tiles_rows(&question, &answers, 0, rows);

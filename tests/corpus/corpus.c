@@ -189,15 +189,6 @@ static void every_generator(void)
         }
 }
 
-// MOST_POINTS and MOST_CASES in the environment stop earlier: a
-// sanitizer is slow.
-static uint32_t at_most(const char *variable, uint32_t count)
-{
-    const char *limit = getenv(variable);
-    uint32_t most = limit ? (uint32_t)atoi(limit) : count;
-    return most < count ? most : count;
-}
-
 static void thousands_of_points(void)
 {
     uint32_t most = at_most("MOST_POINTS", 2 * THOUSANDS);
