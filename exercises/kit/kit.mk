@@ -16,9 +16,9 @@ quick     := $(flags) -O1
 # As different as can be: the other compiler, if it has OpenMP, and the
 # plainest processor.
 plain     := $(flags) -O3 -march=$(if $(filter x86_64,$(shell uname -m)),x86-64,native)
-rival     := $(if $(findstring clang,$(CC)),gcc,clang)
-rival     := $(if $(shell echo 'int main(void) { return 0; }' | \
-	$(rival) -fopenmp -x c - -o /dev/null 2>&1),$(CC),$(rival))
+other     := $(if $(findstring clang,$(CC)),gcc,clang)
+rival      = $(if $(shell echo 'int main(void) { return 0; }' | \
+	$(other) -fopenmp -x c - -o /dev/null 2>&1),$(CC),$(other))
 compiler   = $(if $(filter plain,$(1)),$(rival),$(CC))
 # With hooks for slow_motion.h, if the tests want them.
 slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thread)
@@ -33,16 +33,16 @@ headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 define variant_rules
 $(K)/$(1)/common/%.o: code/common/%.c $(headers)
 	@mkdir -p $$(@D)
-	$(call compiler,$(1)) $$($(1)) -c $$< -o $$@
+	$$(call compiler,$(1)) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%.o: exercises/kit/%.c $(headers)
 	@mkdir -p $$(@D)
-	$(call compiler,$(1)) $$($(1)) -c $$< -o $$@
+	$$(call compiler,$(1)) $$($(1)) -c $$< -o $$@
 
 $(K)/$(1)/%/grader: exercises/%/tests.c exercises/%/exercise.h \
 		$(kit_modules:%=$(K)/$(1)/%.o) $(modules:%=$(K)/$(1)/%.o)
 	@mkdir -p $$(@D)
-	$(call compiler,$(1)) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
+	$$(call compiler,$(1)) $$($(1)) -Werror -rdynamic -Iexercises/$$* \
 		$$(filter %.c %.o,$$^) -o $$@ -lm -ldl
 endef
 $(foreach v,sanitized optimized plain,$(eval $(call variant_rules,$(v))))
