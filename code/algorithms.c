@@ -17,6 +17,7 @@
 #include "ch09-row-spans/row_spans.h"
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/furthest_hull.h"
+#include "ch10-furthest/near_and_far.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,6 +65,8 @@ const struct algorithm TABLE[] = {
      "cells from outside in", furthest_cells},
     {"furthest-hull", 10, STANDARD, FURTHEST, "n log n",
      "corners of the hull", furthest_hull},
+    {"near-and-far", 10, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n",
+     "spans, and few corners", near_and_far},
 };
 //<
 

@@ -1,0 +1,50 @@
+//> Search near and far
+// See near_and_far.h.
+#include "ch10-furthest/near_and_far.h"
+#include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/row_spans.h"
+#include "ch10-furthest/few_corners.h"
+#include "ch10-furthest/furthest_cells.h"
+#include "ch10-furthest/rim.h"
+#include "common/clock.h"
+
+//> Find the furthest among few corners
+static void furthest_among(const struct question *question,
+                           struct corners corners,
+                           struct answers *answers)
+{
+    struct regions regions = regions_make(&corners, question->points.n);
+    search_regions(question, &corners, &regions, answers);
+    regions_free(&regions);
+    corners_free(&corners);
+}
+//<
+
+//> Sort once for both
+static void search_near_and_far(const struct question *question,
+                                const struct sorted *sorted,
+                                struct answers *answers)
+{
+    if (answers->nearest)
+        search_row_spans(question, sorted, TOGETHER, answers);
+    if (answers->furthest && question->space.geometry == STANDARD)
+        furthest_among(question, corners_on_rim(question, sorted),
+                       answers);
+    else if (answers->furthest)
+        search_furthest_cells(question, sorted, answers);
+}
+
+void near_and_far(const struct question *question,
+                  struct answers *answers)
+{
+    if (!answers->nearest && question->space.geometry == STANDARD) {
+        furthest_among(question, corners_find(question), answers);
+        return;
+    }
+    struct sorted sorted = sorted_carry(question, POINTS_PER_SPAN_CELL);
+    answers->built_ns = clock_ns();
+    search_near_and_far(question, &sorted, answers);
+    sorted_free(&sorted);
+}
+//<
+//<
