@@ -4,8 +4,8 @@
 // each tile finds its three spans there. What the sweep meets beyond
 // the end of a span is a candidate like any other, or nobody at all, so
 // that spans may be swept in steps. An instruction set brings three
-// functions: frame stages a row, glance sweeps over three spans, and
-// meet serves those who ask alone.
+// more functions: frame stages a row, sweep goes over three spans, and
+// reply answers the eight of a tile.
 #pragma once
 #include "ch09-row-spans/tile.h"
 
@@ -188,7 +188,7 @@ INLINED void ask_window(const enum geometry geometry,
 //<
 
 //> Go from tile to tile of a window
-// Those that see too much take a table.
+// If it is not open, each takes a table.
 INLINED void go_through(const enum geometry geometry,
                         stage_function *stage, sift_function *sift,
                         glance_function *sweep, reply_function *reply,
