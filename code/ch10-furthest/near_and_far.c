@@ -8,6 +8,10 @@
 #include "ch10-furthest/rim.h"
 #include "common/clock.h"
 
+#ifdef COUNTING
+#define search_row_spans counting_search_row_spans
+#endif
+
 //> Find the furthest among few corners
 static void furthest_among(const struct question *question,
                            struct corners corners,
