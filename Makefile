@@ -259,7 +259,7 @@ $(hints): hint%:
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
 
--include exercises/course/course.mk
+include $(wildcard exercises/course/course.mk)
 
 # ---- checks --------------------------------------------------------
 #: data races: the planted one is found, and no other

@@ -190,6 +190,6 @@ check "but the starters" says "4-back-in-order/starter.c"
 grep -r '^::: \(answer\|reasoning\|marking\)' near-and-far/exercises >"$said"
 check "and no answer" [ ! -s "$said" ]
 (cd near-and-far && make help) >"$said" 2>&1
-check "its make offers no sheets" lacks 'sheet\|handout'
+check "its make offers no sheets" lacks 'sheet\|handout\|nothing makes'
 cd near-and-far && exercises/kit/exercise 4.4 >"$said" 2>&1
 check "its exercises run" says "Exercise 4.4: Back in order"
