@@ -184,8 +184,9 @@ check "the handout" [ $? -eq 0 ]
 check "has nothing secret" says "nothing secret in"
 mkdir "$place/reader" && cd "$place/reader" &&
     tar xzf "$copy/build/handout/near-and-far.tar.gz"
-find . >"$said"
-check "no solution, no mutant, no sheet" lacks 'solution\.c\|mutants\|/course'
+find . -path '*/tests/press' -prune -o -print >"$said"
+check "no solution, no mutant, no sheet" \
+    lacks 'solution\.c\|mutants\|/course\|manual'
 check "but the starters" says "4-back-in-order/starter.c"
 grep -r '^::: \(answer\|reasoning\|marking\)' near-and-far/exercises >"$said"
 check "and no answer" [ ! -s "$said" ]
