@@ -17,7 +17,7 @@ local known = { title = true, stars = true, minutes = true, points = true,
 
 -- Units of time that are whole, from so many minutes on.
 local units = {
-  { 2400, 2400, "week" }, { 480, 480, "day" }, { 180, 60, "h" },
+  { 2400, 2400, "week" }, { 480, 480, "day" }, { 120, 60, "h" },
 }
 
 -- "40 min", "3 h", "2 days", "1 week", of working hours.
