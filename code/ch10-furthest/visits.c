@@ -6,79 +6,11 @@
 //     visits [MOST [SETS]]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
+#include "ch10-furthest/expected_far.h"
 #include "ch10-furthest/furthest_cells.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
-
-enum { PLACES = 64, REACH = 12 };
-
-//> Expect the cells at a corner
-// Of those seen in a direction (right, up), cells counted from the
-// corner: row by row, each as long as nobody seen before is further
-// than all that is in the cell. Those further are in a triangle, of
-// which only the rows up to its own have been seen.
-static double cells_at_corner(double c, double right, double up)
-{
-    double sum = 0, length = hypot(right, up);
-    right /= length, up /= length;
-    for (int row = 0; row < REACH; row++)
-        for (int column = 0; column < REACH; column++) {
-            double depth = column * right + row * up;
-            double height = fmin(row + 1, depth / up);
-            double seen =
-                (depth * height - height * height * up / 2) / right;
-            sum += exp(-c * seen);
-        }
-    return sum;
-}
-//<
-
-//> Expect the cells around a point
-// At (u, v) in its home, with wraparound: the nearer by the sum of the
-// separations, the further. Those further than all that is in a cell
-// are in a diamond, cut off above and below the rows seen.
-static double separation(int k, double u)
-{
-    return k > 0 ? k - u : k < 0 ? u - k - 1 : 0;
-}
-
-static double cells_around(double c, double u, double v)
-{
-    double sum = 0;
-    for (int row = -REACH; row <= REACH; row++) {
-        double away = separation(row, v), up = 0, down = 0;
-        for (int k = -REACH; k <= REACH; k++)
-            if (separation(k, v) <= away) {
-                up = fmax(up, k + 1 - v);
-                down = fmax(down, v - k);
-            }
-        for (int column = -REACH; column <= REACH; column++) {
-            double reach = separation(column, u) + away;
-            double above = fmax(0, reach - up);
-            double below = fmax(0, reach - down);
-            sum += exp(-c * (2 * reach * reach - above * above -
-                             below * below));
-        }
-    }
-    return sum;
-}
-//<
-
-//> Average over all places
-static double cells_expected(enum geometry geometry, double c)
-{
-    double sum = 0;
-    for (int i = 0; i < PLACES; i++)
-        for (int j = 0; j < PLACES; j++) {
-            double u = (i + 0.5) / PLACES, v = (j + 0.5) / PLACES;
-            sum += geometry == STANDARD
-                       ? cells_at_corner(c, (1 + u) / 2, (1 + v) / 2)
-                       : cells_around(c, u, v);
-        }
-    return sum / PLACES / PLACES;
-}
-//<
 
 //> Print what was expected and counted
 // A cell without points is not looked at. With wraparound home is never
@@ -87,7 +19,7 @@ static void print_visits(enum geometry geometry, uint32_t n, int sets)
 {
     const double c = POINTS_PER_FAR_CELL, all = (double)n * sets;
     const double home = geometry == WRAPAROUND ? 1 : 0;
-    const double cells = cells_expected(geometry, c);
+    const double cells = expected_outside(geometry, c);
     struct counts sum = {0};
     struct answers answers = answers_for(n, FURTHEST);
     for (int set = 0; set < sets; set++) {
