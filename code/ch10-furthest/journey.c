@@ -34,6 +34,7 @@ static const struct stage {
     {"cells-threads", FAST},  {"spiral", FAST},
     {"vector-spiral", FAST},  {"row-spans", FAST},
     {"furthest-cells", FAST}, {"furthest-hull", FAST},
+    {"near-and-far", FAST},
 };
 enum { STAGES = sizeof stages / sizeof *stages };
 //<

@@ -17,8 +17,10 @@ static const struct {
 } curves[] = {{"row-spans", "spans", STANDARD},
               {"furthest-cells", "cells", STANDARD},
               {"furthest-hull", "hull", STANDARD},
+              {"near-and-far", "both", STANDARD},
               {"row-spans", "spans_wrapped", WRAPAROUND},
-              {"furthest-cells", "cells_wrapped", WRAPAROUND}};
+              {"furthest-cells", "cells_wrapped", WRAPAROUND},
+              {"near-and-far", "both_wrapped", WRAPAROUND}};
 enum { CURVES = sizeof curves / sizeof *curves, SEVERAL = 1000000 };
 
 static void print_points(uint32_t n)
