@@ -13,4 +13,5 @@ set key top left
 plot table using "n":"both":"both_q1":"both_q3" with yerrorlines lt 4 title "both, near and far", \
      "" using "n":"spans":"spans_q1":"spans_q3" with yerrorlines lt 1 title "nearest, row spans", \
      "" using "n":"cells":"cells_q1":"cells_q3" with yerrorlines lt 2 title "furthest, by cells", \
-     "" using "n":"hull":"hull_q1":"hull_q3" with yerrorlines lt 3 title "furthest, by the hull"
+     "" using "n":"hull":"hull_q1":"hull_q3" with yerrorlines lt 3 title "furthest, by the hull", \
+     "" using "n":"far":"far_q1":"far_q3" with yerrorlines lt 5 title "furthest, by regions"

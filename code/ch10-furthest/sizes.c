@@ -1,8 +1,8 @@
 //> Vary the number of points that ask for the furthest
-// The whole time a point of the furthest by cells and by the hull, of
-// both answers in one go, and of the nearest by row spans, on one
-// thread, from a thousand points on: in the standard geometry and, for
-// those who know it, with wraparound.
+// The whole time a point of the furthest by cells, by the hull and by
+// regions, of both answers in one go, and of the nearest by row spans,
+// on one thread, from a thousand points on: in the standard geometry
+// and, for those who know it, with wraparound.
 //
 //     sizes [MOST]
 #include "algorithms.h"
@@ -14,13 +14,16 @@
 static const struct {
     const char *algorithm, *name;
     enum geometry geometry;
-} curves[] = {{"row-spans", "spans", STANDARD},
-              {"furthest-cells", "cells", STANDARD},
-              {"furthest-hull", "hull", STANDARD},
-              {"near-and-far", "both", STANDARD},
-              {"row-spans", "spans_wrapped", WRAPAROUND},
-              {"furthest-cells", "cells_wrapped", WRAPAROUND},
-              {"near-and-far", "both_wrapped", WRAPAROUND}};
+    unsigned answers;
+} curves[] = {
+    {"row-spans", "spans", STANDARD, NEAREST},
+    {"furthest-cells", "cells", STANDARD, FURTHEST},
+    {"furthest-hull", "hull", STANDARD, FURTHEST},
+    {"near-and-far", "far", STANDARD, FURTHEST},
+    {"near-and-far", "both", STANDARD, NEAREST | FURTHEST},
+    {"row-spans", "spans_wrapped", WRAPAROUND, NEAREST},
+    {"furthest-cells", "cells_wrapped", WRAPAROUND, FURTHEST},
+    {"near-and-far", "both_wrapped", WRAPAROUND, NEAREST | FURTHEST}};
 enum { CURVES = sizeof curves / sizeof *curves, SEVERAL = 1000000 };
 
 static void print_points(uint32_t n)
@@ -32,7 +35,7 @@ static void print_points(uint32_t n)
     for (int k = 0; k < CURVES; k++) {
         const struct algorithm *algorithm =
             find_algorithm(curves[k].algorithm);
-        answers[k] = answers_for(n, algorithm->answers);
+        answers[k] = answers_for(n, curves[k].answers);
         question.space.geometry = curves[k].geometry;
         search[k] =
             (struct search){algorithm->run, question, &answers[k]};
