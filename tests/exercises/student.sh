@@ -52,7 +52,7 @@ lacks() {
 # Nothing of a fence, and no first line of what stands in one.
 lacks_answer() {
     lacks ':::' &&
-        awk '/^::: /{ getline; print substr($0, 1, 40) }' "$text" \
+        awk '/^:::+ *[a-z]/{ getline; print substr($0, 1, 40) }' "$text" \
             >"$folder/hidden" &&
         ! grep -q -F -f "$folder/hidden" "$said"
 }
