@@ -3,8 +3,8 @@
 #include "ch10-furthest/near_and_far.h"
 #include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/row_spans.h"
+#include "ch10-furthest/far_tiles.h"
 #include "ch10-furthest/few_corners.h"
-#include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/rim.h"
 #include "common/clock.h"
 
@@ -35,7 +35,7 @@ static void search_near_and_far(const struct question *question,
         furthest_among(question, corners_on_rim(question, sorted),
                        answers);
     else if (answers->furthest)
-        search_furthest_cells(question, sorted, answers);
+        search_far_tiles(question, sorted, answers);
 }
 
 void near_and_far(const struct question *question,

@@ -1,8 +1,8 @@
 //> Declare the search near and far
 // Both halves of the question: the nearest by row spans, the furthest
-// by the regions of the corners, or with wraparound by cells. About
+// by the regions of the corners, or with wraparound by tiles. About
 // 9 c + 23 distances a point, c points in a cell, if the points are
-// spread evenly.
+// spread evenly; with wraparound twice as many.
 #pragma once
 #include "common/question.h"
 

@@ -9,6 +9,7 @@
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/hull.h"
 #include "common/generate.h"
+#include "common/isa.h"
 #include "common/random.h"
 #include "harness.h"
 #include <stdio.h>
@@ -42,13 +43,13 @@ static uint32_t count_wrong(const struct answers *right,
 static void check_far(const char *name, struct points points)
 {
     static const char *const rows[] = {"furthest-cells",
-                                       "furthest-hull"};
+                                       "furthest-hull", "near-and-far"};
     struct answers right = answers_allocate(points.n);
     struct answers found = answers_for(points.n, FURTHEST);
     for (int g = STANDARD; g <= WRAPAROUND; g++) {
         struct question question = ask(points, g, 1);
         search_plainly(&question, &right);
-        for (int row = 0; row < 2; row++)
+        for (int row = 0; row < 3; row++)
             for (int threads = 1; threads <= 4; threads *= 2) {
                 const struct algorithm *a = find_algorithm(rows[row]);
                 if (!(a->geometries & g))
@@ -199,6 +200,156 @@ static void few_digits(void)
     }
     check_far("few digits", points);
     points_free(&points);
+}
+
+// ---- wraparound, by tiles ------------------------------------------
+// Both halves, and either without the other.
+static void check_halves(const char *name,
+                         const struct question *question)
+{
+    const uint32_t n = question->points.n;
+    struct answers right = answers_allocate(n);
+    struct answers found = answers_allocate(n);
+    struct answers half;
+    search_plainly(question, &right);
+    for (int halves = NEAREST; halves <= (NEAREST | FURTHEST);
+         halves++) {
+        half = found;
+        memset(found.nearest, 0xA5, n * 4);
+        memset(found.furthest, 0xA5, n * 4);
+        if (!(halves & NEAREST))
+            half.nearest = NULL, half.nearest2 = NULL;
+        if (!(halves & FURTHEST))
+            half.furthest = NULL, half.furthest2 = NULL;
+        find_algorithm("near-and-far")->run(question, &half);
+        uint32_t wrong = 0;
+        for (uint32_t i = 0; i < n; i++)
+            wrong += (half.nearest &&
+                      (right.nearest[i] != found.nearest[i] ||
+                       right.nearest2[i] != found.nearest2[i])) ||
+                     (half.furthest &&
+                      (right.furthest[i] != found.furthest[i] ||
+                       right.furthest2[i] != found.furthest2[i]));
+        CHECK_INT(0, wrong, "%u %s points, halves %d, geometry %d", n,
+                  name, halves, question->space.geometry);
+    }
+    answers_free(&found);
+    answers_free(&right);
+}
+
+static void halves_left_out(void)
+{
+    for (int g = STANDARD; g <= WRAPAROUND; g++)
+        for (int d = 0; d < distribution_count; d++)
+            for (int seed = 1; seed <= 2; seed++) {
+                struct points points =
+                    generate(&distributions[d], 2500, seed);
+                struct question question = ask(points, g, seed);
+                test_seed(seed);
+                check_halves(distributions[d].name, &question);
+                points_free(&points);
+            }
+}
+
+// Boxes of all shapes; points anywhere in them, on a lattice, on two
+// sides or on all four, twice each, or in one corner.
+enum { SORTS = 6 };
+
+static struct points in_box(int sort, uint32_t n, double width,
+                            double height, struct random *random)
+{
+    struct points points = points_allocate(n);
+    for (uint32_t i = 0; i < n; i++) {
+        double a = random_uniform(random), b = random_uniform(random);
+        if (sort == 1)
+            a = pick(random, 16), b = pick(random, 16);
+        if (sort == 2)
+            a = i % 2;
+        if (sort == 3)
+            *(i % 2 ? &a : &b) = i / 2 % 2;
+        if (sort == 4 && i % 2)
+            a = points.x[i - 1] / width, b = points.y[i - 1] / height;
+        if (sort == 5)
+            a /= 8, b /= 8;
+        points.x[i] = a * width;
+        points.y[i] = b * height;
+    }
+    return points;
+}
+
+static void check_boxes(uint32_t n, uint32_t cases)
+{
+    static const double sides[] = {1,       3,     1e-3,   1e5,
+                                   0x1p-30, 1e-20, 1e-150, 1e-310,
+                                   0x1p49,  1e20,  1e150,  1e300};
+    enum { SIDES = sizeof sides / sizeof *sides };
+    struct random random = {n};
+    for (uint32_t k = 0; k < cases; k++) {
+        double width = sides[random_bits(&random) % SIDES];
+        double height = random_bits(&random) % 4
+                            ? width * (0.25 + random_uniform(&random))
+                            : sides[random_bits(&random) % SIDES];
+        int sort = random_bits(&random) % SORTS;
+        struct points points = in_box(sort, n, width, height, &random);
+        struct question question = {
+            points, {WRAPAROUND, width, height}, 1 + k % 2};
+        test_seed(n);
+        check_halves("boxed", &question);
+        points_free(&points);
+    }
+}
+
+static void boxes_of_all_shapes(void)
+{
+    for (uint32_t n = 2; n <= 60; n++)
+        check_boxes(n, 60);
+    check_boxes(150, 200);
+    check_boxes(400, 200);
+    check_boxes(1500, 60);
+}
+
+static void all_instruction_sets(void)
+{
+    for (int isa = 0; isa < ISA_COUNT; isa++)
+        if (isa_present(isa)) {
+            setenv("NEAR_ISA", isa_names[isa], 1);
+            check_generated(3000);
+            check_boxes(1000, 60);
+        }
+    unsetenv("NEAR_ISA");
+}
+
+// Evenly spread, hardly anybody has to look from outside; whoever has
+// the same point twice around him always must.
+static uint64_t count_alone(struct points points)
+{
+    struct question question = {points, {WRAPAROUND, 1, 1}, 2};
+    struct answers found = answers_for(points.n, FURTHEST);
+    struct counts counts = count_operations(
+        find_algorithm("near-and-far"), &question, &found);
+    answers_free(&found);
+    return counts.tasks;
+}
+
+static void few_look_from_outside(void)
+{
+    for (int seed = 1; seed <= 2; seed++) {
+        struct points points =
+            generate(find_distribution("uniform"), 100000, seed);
+        uint64_t alone = count_alone(points);
+        test_seed(seed);
+        CHECK(500 < alone && alone < 3000, "%llu of 100,000 alone",
+              (unsigned long long)alone);
+        for (uint32_t i = 0; i + 2 < points.n; i += 3)
+            for (uint32_t k = 1; k < 3; k++) {
+                points.x[i + k] = points.x[i];
+                points.y[i + k] = points.y[i];
+            }
+        alone = count_alone(points);
+        CHECK(alone > 99000, "%llu of 100,000 with two twins",
+              (unsigned long long)alone);
+        points_free(&points);
+    }
 }
 
 // ---- the corners ---------------------------------------------------
@@ -430,12 +581,14 @@ static void tricks_count(void)
 
 int main(void)
 {
-    return RUN_TESTS("ch10-furthest", TEST(every_generator),
-                     TEST(moved_and_stretched), TEST(shapes_that_hurt),
-                     TEST(few_digits), TEST(corners_as_expected),
-                     TEST(corners_of_shapes),
-                     TEST(corners_of_any_threads),
-                     TEST(counts_as_expected), TEST(means_as_reported),
-                     TEST(tricks_that_work), TEST(edge_cells_fail),
-                     TEST(corner_trick_fails), TEST(tricks_count));
+    return RUN_TESTS(
+        "ch10-furthest", TEST(every_generator),
+        TEST(moved_and_stretched), TEST(shapes_that_hurt),
+        TEST(few_digits), TEST(halves_left_out),
+        TEST(boxes_of_all_shapes), TEST(all_instruction_sets),
+        TEST(few_look_from_outside), TEST(corners_as_expected),
+        TEST(corners_of_shapes), TEST(corners_of_any_threads),
+        TEST(counts_as_expected), TEST(means_as_reported),
+        TEST(tricks_that_work), TEST(edge_cells_fail),
+        TEST(corner_trick_fails), TEST(tricks_count));
 }
