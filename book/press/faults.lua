@@ -15,7 +15,7 @@ function faults.add(file, line, sentence, ...)
 end
 
 function faults.note(file, line, sentence, ...)
-  table.insert(faults.notes, entry(file, line, sentence, ...))
+  table.insert(faults.notes, entry(file, line, "note: " .. sentence, ...))
 end
 
 -- In the order of the files and their lines, each only once.

@@ -65,40 +65,71 @@ local function link(exercise)
     exercise.number)
 end
 
+-- A sheet as it is set. Exercises to choose one of make a sheet each,
+-- and are worth the same.
+local function set(list, choose)
+  local titles, points, minutes = {}, 0, 0
+  for _, e in ipairs(list) do
+    table.insert(titles, ("%s~\\textit{%s}"):format(link(e), e.title))
+    points, minutes = points + e.points, minutes + e.minutes
+    if choose and (e.points ~= list[1].points or
+      e.minutes ~= list[1].minutes) then
+      fault('choose="', "who chooses %s has more or less to do", e.number)
+    end
+  end
+  if choose then points, minutes = list[1].points, list[1].minutes end
+  local time = exercises.time(exercises.roughly(minutes))
+  return raw_block("\\manualitem{Set} %s%s: %d~points, about %s.\\par",
+    choose and "one of " or "", table.concat(titles, ", "), points, time),
+    time
+end
+
+local function sheets(list, a)
+  if not a.choose then
+    return command { ('$ make sheet EXERCISES="%s" \\'):format(a.exercises),
+      ('    TITLE="%s" DUE="..."'):format(a.sheet) }
+  end
+  local lines = {}
+  for i, e in ipairs(list) do
+    lines[i] = ('$ make sheet EXERCISES="%s" TITLE="%s %s" DUE="..."')
+      :format(e.number, a.sheet, e.number)
+  end
+  return command(lines)
+end
+
 -- What is read in a week, and the sheet that is set.
 function weave.code.week(x)
-  local a, links, titles, points, minutes = x.attributes, {}, {}, 0, 0
+  local a, list, links = x.attributes, {}, {}
   for word in (a.exercises or ""):gmatch("%S+") do
     local exercise = by_number[word]
     if not exercise then
       fault('exercises="', 'there is no exercise %s', word)
     else
+      table.insert(list, exercise)
       table.insert(links, link(exercise))
-      table.insert(titles, ("%s~\\textit{%s}"):format(link(exercise),
-        exercise.title))
-      points = points + exercise.points
-      minutes = minutes + exercise.minutes
     end
   end
   if #links == 0 or not a.read or not a.sheet then
     fault("{.week", "a week needs read, sheet and exercises")
     return pandoc.List()
   end
-  local read = reading(a.read)
+  if a.choose and a.choose ~= "one" then
+    fault('choose="', 'only one can be chosen, choose="one"')
+  end
+  local read, task, time = reading(a.read), set(list, a.choose)
   table.insert(weeks, { title = weeks.title, read = read,
-    links = table.concat(links, ", "),
-    time = exercises.time(exercises.roughly(minutes)) })
+    links = (a.choose and "one of " or "") .. table.concat(links, ", "),
+    time = time })
   return pandoc.List {
     raw_block("\\manualitem{Read} %s.\\par", read),
-    raw_block("\\manualitem{Set} %s: %d~points, about %s.\\par",
-      table.concat(titles, ", "), points, weeks[#weeks].time),
-    command { ('$ make sheet EXERCISES="%s" \\'):format(a.exercises),
-      ('    TITLE="%s" DUE="..."'):format(a.sheet) },
+    task,
+    sheets(list, a),
   }
 end
 
 weave.code_attributes.demo = { quick = true }
-weave.code_attributes.week = { read = true, sheet = true, exercises = true }
+weave.code_attributes.week = { read = true, sheet = true,
+  exercises = true, choose = true }
 
 -- A plan's weeks in one table.
 local function overview(list)
@@ -136,8 +167,8 @@ local function chapter(path)
 end
 
 -- ---- the exercises ----------------------------------------------------
--- The solution as students see it filled in: what the starter has, too,
--- is quiet. Its opening comment is told by the reasoning.
+-- The solution as students see it filled in: what is given in the
+-- starter is gray. Its opening comment is told by the reasoning.
 local function solution(path)
   local lines, part, begun, in_comment = {}, "", false, false
   for _, line in ipairs(files.lines(path)) do

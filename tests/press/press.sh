@@ -68,7 +68,7 @@ test_claim() {
     place=$scratch/claim
     book "$place"
     sed -i.bak '20s/10 < ch01/10 > ch01/' "$place/chapters/ch01-near.md"
-    expect='chapters/ch01-near.md:20: on this machine it does not hold'
+    expect='chapters/ch01-near.md:20: note: on this machine it does not hold'
     if ! check "$place"; then
         echo "not ok claim: it stops the press"
     elif ! grep -q "^$expect" "$place/said"; then
