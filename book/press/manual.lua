@@ -216,11 +216,33 @@ local function mistakes(folder)
     table.concat(items, "\n"))
 end
 
+-- A paragraph of advice may begin with "(a)" and go on to "(b)": that is
+-- no list of one.
+local function unlisted(blocks)
+  local result = pandoc.List()
+  for _, block in ipairs(blocks) do
+    if block.t == "OrderedList" and #block.content == 1 then
+      local item = block.content[1]
+      for _, inner in ipairs(item) do
+        if inner.t == "Para" or inner.t == "Plain" then
+          local letter = string.char(96 + block.listAttributes.start)
+          inner.content:insert(1, pandoc.Str("(" .. letter .. ") "))
+          break
+        end
+      end
+      result:extend(item)
+    else
+      result:insert(block)
+    end
+  end
+  return result
+end
+
 local function kept(exercise, class, blocks, head)
   for i, part in ipairs(exercise.kept[class]) do
     blocks:insert(raw_block("\\manualhead{%s}", #exercise.kept[class] > 1
       and ("%s %d"):format(head, i) or head))
-    blocks:extend(part)
+    blocks:extend(class == "marking" and unlisted(part) or part)
   end
   if #exercise.kept[class] == 0 and class ~= "hint" then
     faults.add(exercise.path, 1, 'the manual needs its "::: %s"', class)
