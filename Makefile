@@ -255,7 +255,7 @@ hintN.K:
 $(hints): hint%:
 	@BUILD=$(BUILD) exercises/kit/hint $*
 
-#: grade all work in a folder, WORK=work, for a course's machine
+#: grade one student's folder, WORK=work, for a course's machine
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
 

@@ -1,6 +1,6 @@
 # What only instructors need; not in the handout.
 
-#: all exercises, a line each, to choose from
+#: all exercises, a line each: stars, time, points, how they are marked
 exercises:
 	@exercises/course/list
 
@@ -9,12 +9,15 @@ sheet: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) exercises/course/sheet
 
 #: the book for students, without solutions
-handout: $(BUILD)/near-and-far.pdf | $(BUILD)/setup/book
+handout: | $(BUILD)/setup/book
+	@rm -rf $(BUILD)/handout
+	@echo "Making the handout takes a few minutes, most of them for the book"
+	@$(MAKE) --no-print-directory $(BUILD)/near-and-far.pdf
 	@BUILD=$(BUILD) exercises/course/handout
 
 $(BUILD)/solutions.pdf: $(press) $(wildcard chapters/ch*.md book/data/*.tsv) \
 		| $(BUILD)/setup/book
-	$(call say,print)
+	@echo "print $@, in about a minute"
 	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --solutions --build $(BUILD)
 
 #: the instructor's manual: solutions, mistakes, marking, course plans

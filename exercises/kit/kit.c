@@ -1,9 +1,10 @@
 // The grader: runs the tests of an exercise against a student's file.
 //
-//   GRADER [-s SEED] [-l SECONDS] [-n WHY] [-p PICTURE]
+//   GRADER [-s SEED] [-l SECONDS] [-n WHY -v VERDICT] [-p PICTURE]
 //          LIBRARY SOURCE SCORES [TEST...]
 //
-// -n fails every test for this reason and runs none. PICTURE becomes
+// -n fails every test for this reason and runs none: no seed would
+// change that, and the table has none. PICTURE becomes
 // what wrong.gp draws, if a test has failed that can be drawn.
 //
 // SCORES becomes a table, tab-separated, one row a test, with all that
@@ -76,6 +77,7 @@ static struct {
     const char *library;
     int file;       // the library, open
     double limit;   // seconds a call may take
+    double allowed; // and might, before time was lost
     double budget;  // and all that are still to come
     double seconds; // that the last one took, by the clock
     double processor_seconds;
@@ -637,6 +639,12 @@ static double in_seconds(struct timeval time)
     return (double)time.tv_sec + (double)time.tv_usec * 1e-6;
 }
 
+// How long the next call may take.
+static double time_left(void)
+{
+    return fmin(grader.limit, fmax(grader.budget, 1));
+}
+
 // Waits for the process, though not for ever: false if it did not end.
 // It holds the other end of a pipe, into which it writes when it begins
 // to work; the system closes it when the process is gone. So we know
@@ -644,7 +652,7 @@ static double in_seconds(struct timeval time)
 static bool wait_for(pid_t process, int pipe, int *status)
 {
     int64_t begin = clock_ns(), start = begin, now;
-    double limit = fmin(grader.limit, fmax(grader.budget, 1));
+    double limit = time_left();
     struct rusage used = {0};
     bool ended;
     for (bool open = true;;) {
@@ -685,18 +693,24 @@ bool kit_enter(void)
         return true;
     }
     close(ends[1]);
+    bool less = time_left() < grader.allowed;
     bool ended = wait_for(process, ends[0], &status);
     close(ends[0]);
     char *printed = read_printed();
     char *report = find_report(printed);
     pass_on(printed, report);
     if (!ended) {
+        const char *seconds = kit_text("%.2g", grader.seconds);
         const char *found =
-            kit_text("no answer after %.3g seconds", grader.seconds);
+            kit_text("no answer after %s second%s", seconds,
+                     strcmp(seconds, "1") == 0 ? "" : "s");
         grader.limit = fmax(grader.limit / 2, 1); // do not wait long
         broken("stopped", found,
-               "A loop that never ends, or one whose time grows too "
-               "fast with n.");
+               less ? "A loop that never ends? The time for this "
+                      "exercise is used up by the tests before, and "
+                      "this one had less of it."
+                    : "A loop that never ends, or one whose time "
+                      "grows too fast with n.");
     }
     judge(status, report);
     return false;
@@ -713,14 +727,14 @@ static void put_cell(const char *text, char end)
 }
 
 static void run_test(const struct kit_test *test, uint64_t seed,
-                     const char *lost)
+                     const char *lost, const char *verdict)
 {
     grader.status = "passed";
     grader.fault = (struct kit_fault){.where = NULL};
     grader.given[0] = '\0';
     if (setjmp(grader.end) == 0) {
         if (lost)
-            broken("missing", lost, NULL);
+            broken(verdict, lost, NULL);
         test->run(seed);
     }
     bool passed = strcmp(grader.status, "passed") == 0;
@@ -729,7 +743,7 @@ static void run_test(const struct kit_test *test, uint64_t seed,
             passed ? test->points : grader.fault.points,
             graded ? test->points : 0, grader.status);
     put_cell(test->about, '\t');
-    fprintf(grader.scores, "%ju\t", (uintmax_t)seed);
+    put_cell(lost ? "" : kit_text("%ju", (uintmax_t)seed), '\t');
     put_cell(grader.given, '\t');
     put_cell(grader.fault.where, '\t');
     put_cell(grader.fault.expected, '\t');
@@ -768,15 +782,18 @@ int main(int argc, char **argv)
 {
     fail_as("grader", NULL);
     uint64_t seed = 1;
-    const char *lost = NULL;
+    const char *lost = NULL, *verdict = "missing";
     grader.limit = 10;
-    for (int option; (option = getopt(argc, argv, "s:l:n:p:")) != -1;) {
+    for (int option;
+         (option = getopt(argc, argv, "s:l:n:v:p:")) != -1;) {
         if (option == 's')
             seed = strtoull(optarg, NULL, 0);
         else if (option == 'l')
             grader.limit = atof(optarg);
         else if (option == 'n')
             lost = optarg;
+        else if (option == 'v')
+            verdict = optarg;
         else if (option == 'p')
             grader.picture = optarg;
         else
@@ -786,6 +803,7 @@ int main(int argc, char **argv)
         fail("say LIBRARY SOURCE SCORES");
     grader.library = argv[optind];
     grader.source = argv[optind + 1];
+    grader.allowed = grader.limit;
     grader.budget = CALLS_MAX * grader.limit;
     prepare(argv[optind + 2]);
     guard_judge();
@@ -794,6 +812,6 @@ int main(int argc, char **argv)
              "rules.");
     for (const struct kit_test *test = kit_tests; test->name; test++)
         if (wanted(test->name, argv + optind + 3))
-            run_test(test, seed, lost);
+            run_test(test, seed, lost, verdict);
     return 0;
 }

@@ -1,6 +1,6 @@
 # Reports two runs of a grader: usage
 #   awk -f report.awk -v key=2.1 -v title=TITLE -v out=SCORES FIRST SECOND
-# Tells every failure, prints the score table, and writes both runs as
+# A row without a seed was lost with all others. Tells every failure, prints the score table, and writes both runs as
 # one table: a test earns what it earns in both. What could not be
 # graded is out of how many points.
 
@@ -53,6 +53,13 @@ function headline() {
 
 # A crash is told once, with the tests in which it happens again.
 function tell() {
+    if ($6 == "") { # it is the file, not the test
+        if (!told++) {
+            printf "\nFAILED  Nothing was tested.\n"
+            line("why", $10)
+        }
+        return
+    }
     if ($9 == "" && kind() in first) {
         again[first[kind()]] = again[first[kind()]] " " $1
         return
@@ -68,7 +75,9 @@ function tell() {
 }
 
 function cell(name, run) {
-    return (name, run) in status ? status[name, run] : "-"
+    if (!((name, run) in status))
+        return "-"
+    return length(status[name, run]) > 10 ? "failed" : status[name, run]
 }
 
 END {

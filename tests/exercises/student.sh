@@ -80,11 +80,15 @@ check "a missing function" grep -q 'not define the function' "$said"
 echo 'struct pair x(void) { return 0 }' >"$file"
 exercises/kit/exercise 2.1 >"$said" 2>&1
 check "what does not compile" grep -q 'does not compile' "$said"
+check "is told once" [ "$(grep -c 'why .*does not compile' "$said")" -eq 1 ]
+check "and without a seed" lacks 'seed\|again'
 check "and loses all" \
     awk -F '\t' 'NR > 1 { n++; p += $2 } END { exit !(n == 2 && p == 0) }' "$scores"
 
 attempt "an endless loop" "A loop that never ends" \
     'for (;;) if (points.n == 7) continue;'
+check "after how long" grep -q "no answer after 2 seconds" "$said"
+check "and the next test has less" grep -q 'The time for this exercise is used' "$said"
 attempt "an endless recursion" "A recursion without end" \
     'struct pair p = nearest_pair(points); p.i++; return p;'
 attempt "an exit in the middle" "exit() ends everything" \

@@ -23,17 +23,25 @@ special() {
     file=$case/work/2.1/nearest-pair.c
     mkdir -p "$case/work/2.1"
     case $1 in
-    missing) expect 0 "there is no file" ;;
-    nothing-at-all) rm -r "$case/work/2.1" && expect 0 "there is no file" ;;
+    missing)
+        echo x >"$case/work/2.1/main.c"
+        expect 0 "There is no nearest-pair.c among what you handed in: main.c" ;;
+    nothing-at-all)
+        rm -r "$case/work/2.1" && expect 0 "nothing was handed in" ;;
+    two-copies)
+        mkdir "$case/work/anna" "$case/work/bob"
+        cp $solution "$case/work/anna/nearest-pair.c"
+        cp $solution "$case/work/bob/nearest-pair.c"
+        expect 2 "More than one nearest-pair.c" ;;
     a-link)
         ln -s "$PWD/$solution" "$file"
-        expect 0 "there is no file" ;;
+        expect 0 "no ordinary file" ;;
     a-folder)
         mkdir "$file"
-        expect 0 "there is no file" ;;
+        expect 0 "no ordinary file" ;;
     a-pipe)
         mkfifo "$file"
-        expect 0 "there is no file" ;;
+        expect 0 "no ordinary file" ;;
     includes-a-link)
         ln -s "$PWD/$solution" "$case/work/2.1/mine.h"
         echo '#include "mine.h"' >"$file"
@@ -51,7 +59,7 @@ special() {
         expect 2 "" ;;
     esac
 }
-specials="missing nothing-at-all a-link a-folder a-pipe includes-a-link
+specials="missing nothing-at-all a-link a-folder a-pipe two-copies includes-a-link
     binary odd-names"
 
 if [ "$1" = --one ]; then

@@ -57,17 +57,22 @@ else
 fi >/dev/null
 
 exercises/course/list >"$said" 2>&1
-check "a list to choose from" grep -q '^4.2 .* 40 min *10  program *How many' "$said"
+check "a list to choose from" grep -q '^4.2 .* 40 min *10  tests *How many' "$said"
+
+by_hand=$(cat exercises/ch04/[15]-*/exercise.md | awk '/^points:/ { n += $2 } END { print n }')
 
 # ---- a sheet ---------------------------------------------------------
-EXERCISES="4.1 4.2" TITLE="Homework 2" DUE="Friday & Monday" \
+EXERCISES="4.1 4.2 4.5" TITLE="Homework 2" DUE="Friday & Monday" \
     really exercises/course/sheet >"$said" 2>&1
 check "a sheet" [ $? -eq 0 ]
+check "says who marks what" says "autograder: 10 points; by hand: $by_hand (4.1 and 4.5)"
 homework=$sheets/homework-2/homework-2
 really pdftotext -q "$homework.pdf" - >"$said" 2>&1
 check "its title" says "Homework 2"
 check "when it is due" grep -q 'Friday .*Monday' "$said"
-check "what it amounts to" grep -q '2 exercises, 20 points' "$said"
+check "what it amounts to" grep -q "3 exercises, $((by_hand + 10)) points" "$said"
+check "how paper is handed in" says "are marked by hand"
+check "which need the book's programs" grep -q 'For .*4.5.* you need' "$said"
 check "its texts" says "How many numbers lie between"
 check "what is on paper" says "To be marked by hand"
 check "how to work" says "make exercise4.2"
@@ -75,6 +80,16 @@ check "no hint" lacks "Count something simpler"
 check "no answer" lacks "The bins hold"
 check "nothing else" [ "$(ls -A "$sheets" "$sheets/homework-2" | tr '\n' ' ')" = \
     "$sheets: homework-2  $sheets/homework-2: homework-2-autograder.zip homework-2.pdf homework-2.tar.gz " ]
+
+EXERCISES="4.1 4.5" \
+    TITLE="Data Structures & Algorithms 1: the third homework, on cells" \
+    really exercises/course/sheet >"$said" 2>&1
+check "a long title, and nothing programmed" says "autograder: 0 points"
+EXERCISES="4.2 4.4" \
+    TITLE="Algorithms & Data Structures 1, Homework 3: Cells & Counting" \
+    really exercises/course/sheet >"$said" 2>&1
+check "a long title" says "algorithms-data-structures-1-homework-3.tar.gz  for students"
+rm -r "$sheets/algorithms"* "$sheets/data"*
 
 # ---- a student's machine: gcc and make, and nothing of the project ---
 # Where dpkg tells which commands every Debian has, only these.
@@ -102,6 +117,10 @@ alone make -C homework-2 hint4.2 >"$said" 2>&1
 check "a hint is given" says "how many numbers are less"
 alone make -C homework-2 exercise4.1 >"$said" 2>&1
 check "on paper too" says "Nine numbers, counted from 0"
+alone make -C homework-2 hint9.9 >"$said" 2>&1
+check "another exercise is not on the sheet" says "9.9 is not on this sheet"
+alone make -C homework-2 help >"$said" 2>&1
+check "make help" says "make hint4.2"
 ls -R homework-2 >"$said"
 check "no solution in it" lacks 'solution\|mutants\|course'
 
@@ -122,6 +141,16 @@ scored() {
         "$place/grader/results/results.json" 2>&1)" = "$1" ]
 }
 check "results.json" scored 10.0
+cd "$place/grader" && (cd submission && zip -q -r mine.zip "my work" &&
+    rm -r "my work") && cd source
+[ "$plain" = "$PATH" ] || ln -sf "$(command -v unzip)" "$plain"
+alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
+check "a zip archive is unpacked" scored 10.0
+echo nonsense >../submission/mine.zip
+alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
+check "or the student is told" says "could not be unpacked"
+check "and that there is no file" grep -q "There is no how-many-between.c among .*mine.zip" \
+    "$place/grader/results/results.json"
 check "setup.sh has nothing to do" alone ./setup.sh
 mv exercises/kit/grade exercises/kit/lost
 alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
@@ -191,6 +220,8 @@ check "but the starters" says "4-back-in-order/starter.c"
 grep -r '^::: \(answer\|reasoning\|marking\)' near-and-far/exercises >"$said"
 check "and no answer" [ ! -s "$said" ]
 (cd near-and-far && make help) >"$said" 2>&1
+check "its README describes it" grep -q 'exercises/.*text, tests, starter' \
+    near-and-far/README.md
 check "its make offers no sheets" lacks 'sheet\|handout\|nothing makes'
 cd near-and-far && exercises/kit/exercise 4.4 >"$said" 2>&1
 check "its exercises run" says "Exercise 4.4: Back in order"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Gradescope runs this once, when it builds the container: what grading
-# needs is gcc and make, on Debian or Ubuntu.
+# needs is gcc and make, on Debian or Ubuntu; and unzip, where students
+# may hand in archives.
 set -e
 ready() {
     command -v make >/dev/null && command -v cc >/dev/null &&
@@ -8,9 +9,9 @@ ready() {
         cc -x c -fopenmp -fsanitize=address - -o /dev/null 2>/dev/null
 }
 
-if ! ready; then
-    apt-get update
+if ! ready || ! command -v unzip >/dev/null; then
+    apt-get update || ready
     DEBIAN_FRONTEND=noninteractive apt-get install -y \
-        --no-install-recommends gcc libc6-dev make
+        --no-install-recommends gcc libc6-dev make unzip || ready
 fi
 ready
