@@ -1,4 +1,4 @@
 #!/bin/sh
 # Wrong answers of the two tricks
 # demo: table
-exec "$BUILD/ch10/wrong" ${FULL:+100000 1000}
+exec "$BUILD/ch10/wrong" ${FULL:+100000 400}
