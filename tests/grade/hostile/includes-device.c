@@ -1,5 +1,5 @@
 // Includes a file without an end.
 // score: 0
-// says: ties
+// says: it does not compile
 #include "/dev/zero"
 #include "right.h"
