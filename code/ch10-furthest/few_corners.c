@@ -13,8 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double TINY2 = 0x1p-900, HUGE2 = 0x1p+1000;
-
 // What is known while the regions are made.
 struct making {
     struct points points; // the corners, from the lower left
@@ -175,6 +173,17 @@ static void make_lists(struct making *making, uint32_t side, uint32_t h)
     free(from);
 }
 
+static struct points measured_from(struct points p, double left,
+                                   double bottom)
+{
+    struct points measured = points_allocate(p.n);
+    for (uint32_t k = 0; k < p.n; k++) {
+        measured.x[k] = p.x[k] - left;
+        measured.y[k] = p.y[k] - bottom;
+    }
+    return measured;
+}
+
 struct regions regions_make(const struct corners *corners, uint32_t n)
 {
     const struct points p = corners->points;
@@ -182,7 +191,7 @@ struct regions regions_make(const struct corners *corners, uint32_t n)
     find_box(p, &left, &right, &bottom, &top);
     const double width = right - left, height = top - bottom;
     const double diagonal2 = distance2(width, height);
-    const bool fits = diagonal2 > TINY2 && diagonal2 < HUGE2;
+    const bool fits = diagonal2 > LEAST_D2 && diagonal2 < MOST_D2;
     const uint32_t side = fits ? side_for(n, p.n) : 1;
     struct regions regions = {.left = left,
                               .bottom = bottom,
@@ -192,16 +201,12 @@ struct regions regions_make(const struct corners *corners, uint32_t n)
                               .corners = p.n};
     regions.region =
         allocate((size_t)side * side, sizeof *regions.region);
-    struct making making = {points_allocate(p.n),
-                            width,
-                            height,
-                            fits ? diagonal2 * 0x1p-46 : INFINITY,
-                            0,
-                            &regions};
-    for (uint32_t k = 0; k < p.n; k++) {
-        making.points.x[k] = p.x[k] - left;
-        making.points.y[k] = p.y[k] - bottom;
-    }
+    struct making making = {.points = measured_from(p, left, bottom),
+                            .width = width,
+                            .height = height,
+                            .margin =
+                                fits ? diagonal2 * 0x1p-46 : INFINITY,
+                            .regions = &regions};
     // If all squared distances vanish, one corner is enough.
     make_lists(&making, side, diagonal2 > 0 ? p.n : 1);
     points_free(&making.points);

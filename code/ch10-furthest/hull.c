@@ -17,7 +17,6 @@
 #include <stdlib.h>
 
 static const double MISS = 0x1p-48;
-static const double LEAST_D2 = 0x1p-900, MOST_D2 = 0x1p+1000;
 
 struct candidate {
     double x, y;

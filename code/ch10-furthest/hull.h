@@ -18,6 +18,10 @@ struct corners {
 // times that of the diagonal of the box of all points.
 static const double CORNER_SURPLUS = 0x1p-44;
 
+// Where the squared diagonal is between these, what we compute from it
+// neither vanishes nor overflows.
+static const double LEAST_D2 = 0x1p-900, MOST_D2 = 0x1p+1000;
+
 // Whoever is the furthest of any of the points, in rounded squared
 // distances and of several the one of the lowest index, is among them;
 // but where all squared distances of the box vanish or overflow, all

@@ -177,20 +177,20 @@ static uint32_t keep_outside(struct points p, uint32_t begin,
 //> Throw away by all threads
 // Each keeps its own at the place of its share, until they close up.
 uint32_t octagon_outside(struct points p, const struct sides *sides,
-                         int shares, uint32_t *kept)
+                         int threads, uint32_t *kept)
 {
-    uint32_t *count = allocate(shares, sizeof *count), total = 0;
-#pragma omp parallel for num_threads(shares)
-    for (int k = 0; k < shares; k++) {
-        uint32_t begin = share_begin(p.n, k, shares), next = begin;
-        uint32_t end = share_begin(p.n, k + 1, shares);
+    uint32_t *count = allocate(threads, sizeof *count), total = 0;
+#pragma omp parallel for num_threads(threads)
+    for (int k = 0; k < threads; k++) {
+        uint32_t begin = share_begin(p.n, k, threads), next = begin;
+        uint32_t end = share_begin(p.n, k + 1, threads);
         for (uint64_t i = begin; i < end; i += STRETCH)
             next += keep_outside(p, i, stretch_end(end, i), sides,
                                  kept + next);
         count[k] = next - begin;
     }
-    for (int k = 0; k < shares; k++) {
-        uint32_t begin = share_begin(p.n, k, shares);
+    for (int k = 0; k < threads; k++) {
+        uint32_t begin = share_begin(p.n, k, threads);
         for (uint32_t i = 0; i < count[k]; i++)
             kept[total++] = kept[begin + i];
     }
