@@ -62,6 +62,35 @@ static void add_set(enum geometry geometry, uint32_t n, int set,
 }
 //<
 
+//> Print both geometries
+static void print_means(struct sums sums[2], uint32_t n, int sets)
+{
+    puts("name\tn\tsets\tthreads\tnearest\tfurthest"
+         "\tns\tns_q1\tns_q3");
+    for (int g = 0; g < 2; g++) {
+        struct summary ns = summarize(sums[g].ns, sets);
+        printf("%s_%u\t%u\t%d\t%d\t%.7g\t%.7g",
+               g ? "wraparound" : "standard", n, n, sets,
+               omp_get_num_procs(), sums[g].nearest / sums[g].points,
+               sums[g].furthest / sums[g].points);
+        print_summary(&ns, 1);
+        puts("");
+    }
+}
+
+static void print_histograms(const struct sums sums[2])
+{
+    puts("standard_at\tstandard\twraparound_at\twraparound");
+    for (int bin = 0; bin < BINS; bin++)
+        for (int g = 0; g < 2; g++) {
+            double width = (sums[g].high - sums[g].low) / BINS;
+            printf("%.6g\t%.6g%c", sums[g].low + (bin + 0.5) * width,
+                   sums[g].bins[bin] / sums[g].points / width,
+                   g ? '\n' : '\t');
+        }
+}
+//<
+
 int main(int argc, char **argv)
 {
     fail_as("means", NULL);
@@ -78,30 +107,10 @@ int main(int argc, char **argv)
         add_set(WRAPAROUND, n, set, &sums[1]);
     }
     report_provenance(stdout);
-    if (strcmp(argv[1], "means") == 0) {
-        puts("name\tn\tsets\tthreads\tnearest\tfurthest"
-             "\tns\tns_q1\tns_q3");
-        for (int g = 0; g < 2; g++) {
-            printf("%s_%u\t%u\t%d\t%d\t%.7g\t%.7g",
-                   g ? "wraparound" : "standard", n, n, sets,
-                   omp_get_num_procs(),
-                   sums[g].nearest / sums[g].points,
-                   sums[g].furthest / sums[g].points);
-            struct summary ns = summarize(sums[g].ns, sets);
-            print_summary(&ns, 1);
-            puts("");
-        }
-    } else {
-        puts("standard_at\tstandard\twraparound_at\twraparound");
-        for (int bin = 0; bin < BINS; bin++)
-            for (int g = 0; g < 2; g++) {
-                double width = (sums[g].high - sums[g].low) / BINS;
-                printf("%.6g\t%.6g%c",
-                       sums[g].low + (bin + 0.5) * width,
-                       sums[g].bins[bin] / sums[g].points / width,
-                       g ? '\n' : '\t');
-            }
-    }
+    if (strcmp(argv[1], "means") == 0)
+        print_means(sums, n, sets);
+    else
+        print_histograms(sums);
     return 0;
 }
 //<
