@@ -16,14 +16,27 @@ void run_search(void *context)
     search->search(&search->question, search->answers);
 }
 
+struct question kind_question(const char *kind, uint32_t n,
+                              uint64_t seed)
+{
+    return (struct question){
+        .points = generate(find_distribution(kind), n, seed),
+        .space = {STANDARD, 1, 1},
+        .threads = 1,
+    };
+}
+
 struct question uniform_question(enum geometry geometry, uint32_t n,
                                  uint64_t seed)
 {
-    return (struct question){
-        .points = generate(find_distribution("uniform"), n, seed),
-        .space = {geometry, 1, 1},
-        .threads = 1,
-    };
+    struct question question = kind_question("uniform", n, seed);
+    question.space.geometry = geometry;
+    return question;
+}
+
+void print_summary_columns(const char *name)
+{
+    printf("\t%s\t%s_q1\t%s_q3", name, name, name);
 }
 
 void print_summary(const struct summary *summary, double count)

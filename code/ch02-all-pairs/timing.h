@@ -25,10 +25,17 @@ struct search {
 // The same for a struct search.
 void run_search(void *context);
 
-// n uniform points in the unit square.
+// n points of a kind that generate knows, in the standard geometry, for
+// one thread.
+struct question kind_question(const char *kind, uint32_t n,
+                              uint64_t seed);
+
+// n uniform points in the unit square, for one thread.
 struct question uniform_question(enum geometry geometry, uint32_t n,
                                  uint64_t seed);
 
-// Prints median and quartiles, each after a tab, divided by count.
+// Prints the names of three columns, each after a tab, and under them
+// median and quartiles, divided by count.
+void print_summary_columns(const char *name);
 void print_summary(const struct summary *summary, double count);
 //<

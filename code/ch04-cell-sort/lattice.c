@@ -10,7 +10,6 @@
 #include "common/argument.h"
 #include "common/count.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <stdio.h>
 
@@ -36,11 +35,9 @@ static void all_together(void *context)
 
 static struct set make_set(const char *name, uint32_t n)
 {
-    struct set s = {
-        .question = {generate(find_distribution(name), n, 1),
-                     {WRAPAROUND, 1, 1},
-                     1},
-        .answers = answers_allocate(n)};
+    struct set s = {.question = kind_question(name, n, 1),
+                    .answers = answers_allocate(n)};
+    s.question.space.geometry = WRAPAROUND;
     s.sorted = sorted_make(&s.question, PER_CELL, cells_sort_alone);
     return s;
 }

@@ -96,8 +96,7 @@ static void print_tally(const char *distribution, uint32_t n, int sets,
     int row = 0;
     for (uint32_t l = first_lanes; l <= last_lanes; l *= 2) {
         const struct tally *t = &tallies[row++];
-        for (const char *c = distribution; *c; c++)
-            putchar(*c == '-' ? '_' : *c);
+        print_word(stdout, distribution);
         printf("_%u_%u\t%u\t%.0f\t%u\t%.4g\t%.6g\t%.6g\t%.6g\t%.6g\n",
                l, n, n, t->cells / sets, l, t->others / sets,
                t->pairs / sets, t->pairs_expected / sets,

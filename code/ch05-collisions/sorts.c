@@ -128,8 +128,7 @@ static void print_trials(const char *kind, const char *name,
                          const struct trial trials[2], uint32_t n,
                          uint32_t moved)
 {
-    for (const char *c = kind; *c; c++)
-        putchar(*c == '-' ? '_' : *c);
+    print_word(stdout, kind);
     printf("_%s_%u\t%u\t%d", name, n, n, omp_get_num_procs());
     print_summary(&trials[0].summary, n);
     print_summary(&trials[1].summary, n);

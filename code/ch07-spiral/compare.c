@@ -9,7 +9,6 @@
 #include "ch02-all-pairs/timing.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
@@ -23,18 +22,9 @@ static const char *const kinds[] = {"uniform", "clustered", "circle",
                                     "kuzmin", "two-clusters"};
 enum { SEARCHES = 3, KINDS = sizeof kinds / sizeof *kinds };
 
-// A name that prose can quote: two-clusters is two_clusters.
-static void print_name(const char *search, const char *kind)
-{
-    printf("%s_", search);
-    for (; *kind; kind++)
-        putchar(*kind == '-' ? '_' : *kind);
-}
-
 static void compare_on(const char *kind, uint32_t n, int trials)
 {
-    struct question question = {
-        generate(find_distribution(kind), n, 1), {STANDARD, 1, 1}, 1};
+    struct question question = kind_question(kind, n, 1);
     struct answers answers = answers_allocate(n);
     struct search search[SEARCHES];
     struct trial trial[SEARCHES];
@@ -50,7 +40,8 @@ static void compare_on(const char *kind, uint32_t n, int trials)
     for (int k = 0; k < SEARCHES; k++) {
         struct counts counts = count_operations(
             find_algorithm(searches[k].algorithm), &question, &answers);
-        print_name(searches[k].name, kind);
+        printf("%s_", searches[k].name);
+        print_word(stdout, kind);
         printf("\t%u\t%.6g\t%.6g", n, (double)counts.distances / n,
                (double)counts.cells / n);
         print_summary(&trial[k].summary, n);

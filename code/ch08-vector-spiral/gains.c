@@ -11,7 +11,6 @@
 #include "ch08-vector-spiral/versions.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/isa.h"
 #include "common/report.h"
 #include <stdio.h>
@@ -34,8 +33,7 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static void time_kind(const char *kind, uint32_t n, int trials)
 {
-    struct question question = {
-        generate(find_distribution(kind), n, 1), {STANDARD, 1, 1}, 1};
+    struct question question = kind_question(kind, n, 1);
     struct answers answers = answers_allocate(n);
     struct search search[VERSIONS];
     struct trial trial[VERSIONS];

@@ -14,7 +14,6 @@
 #include "ch08-vector-spiral/versions.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <omp.h>
 #include <stdio.h>
@@ -44,10 +43,8 @@ static double time_search(search_function *search,
 static void try_set(const char *kind, uint32_t n, int set,
                     double *values, int sets)
 {
-    struct question question = {
-        generate(find_distribution(kind), n, set + 1),
-        {STANDARD, 1, 1},
-        omp_get_num_procs()};
+    struct question question = kind_question(kind, n, set + 1);
+    question.threads = omp_get_num_procs();
     struct answers answers = answers_allocate(n);
     struct loops loops = loops_fused(isa_chosen());
     struct grid grid = grid_fit(&question, 1);

@@ -72,8 +72,7 @@ int main(int argc, char **argv)
     report_provenance(stdout);
     printf("name\tn\tl2_points\tl3_points");
     for (int k = 0; k < SEARCHES; k++)
-        printf("\t%s\t%s_q1\t%s_q3", searches[k].name, searches[k].name,
-               searches[k].name);
+        print_summary_columns(searches[k].name);
     puts("\tpages");
     for (uint64_t n = 1000; n <= most; n *= 10)
         for (int third = 0; third < 2; third++)

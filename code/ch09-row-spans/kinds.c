@@ -10,7 +10,6 @@
 #include "ch02-all-pairs/timing.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <omp.h>
 
@@ -21,11 +20,9 @@ static const struct {
     {"spiral", 0}, {"cells", 0}, {"row-spans", 0}, {"row-spans", 1}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
-static void print_kind(const char *kind, const char *name, uint32_t n,
-                       int count)
+static void print_kind(const char *kind, uint32_t n, int count)
 {
-    struct question question = {
-        generate(find_distribution(kind), n, 1), {STANDARD, 1, 1}, 1};
+    struct question question = kind_question(kind, n, 1);
     struct answers answers = answers_for(n, NEAREST);
     struct search search[WAYS];
     struct trial trial[WAYS];
@@ -40,7 +37,8 @@ static void print_kind(const char *kind, const char *name, uint32_t n,
     time_in_turn(count, trial, WAYS);
     struct counts counts = count_operations(find_algorithm("row-spans"),
                                             &question, &answers);
-    printf("%s\t%u\t%d\t%.5g\t%.4g", name, n, omp_get_num_procs(),
+    print_word(stdout, kind);
+    printf("\t%u\t%d\t%.5g\t%.4g", n, omp_get_num_procs(),
            (double)counts.distances / n, (double)counts.tasks / n);
     for (int k = 0; k < WAYS; k++)
         print_summary(&trial[k].summary, n);
@@ -59,13 +57,13 @@ int main(int argc, char **argv)
     puts("name\tn\tthreads\tdistances\talone"
          "\tspiral\tspiral_q1\tspiral_q3\tcells\tcells_q1\tcells_q3"
          "\tspans\tspans_q1\tspans_q3\tall\tall_q1\tall_q3");
-    print_kind("uniform", "uniform", more, count);
-    print_kind("clustered", "clustered", more, count);
-    print_kind("lattice", "lattice", more, count);
-    print_kind("circle", "circle", n, count);
-    print_kind("kuzmin", "kuzmin", n, count);
-    print_kind("two-clusters", "two_clusters", n, count);
-    print_kind("equal", "equal", n, count);
+    print_kind("uniform", more, count);
+    print_kind("clustered", more, count);
+    print_kind("lattice", more, count);
+    print_kind("circle", n, count);
+    print_kind("kuzmin", n, count);
+    print_kind("two-clusters", n, count);
+    print_kind("equal", n, count);
     return 0;
 }
 //<

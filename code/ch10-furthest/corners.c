@@ -9,7 +9,6 @@
 #include "ch10-furthest/furthest_hull.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <stdlib.h>
 #include <string.h>
@@ -51,10 +50,7 @@ static void print_count(const char *kind, uint32_t n, int sets)
 {
     struct tally tally = {0, 0};
     for (int set = 0; set < sets; set++) {
-        struct question question = {
-            generate(find_distribution(kind), n, set + 1),
-            {STANDARD, 1, 1},
-            1};
+        struct question question = kind_question(kind, n, set + 1);
         count_corners(&question, &tally);
         points_free(&question.points);
     }

@@ -5,9 +5,9 @@
 //
 //     fans [POINTS]
 #include "algorithms.h"
+#include "ch02-all-pairs/timing.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <stdlib.h>
 
@@ -44,8 +44,7 @@ static struct rank *rank_points(const uint32_t *furthest, uint32_t n)
 
 static void print_kind(const char *kind, uint32_t n)
 {
-    struct question question = {
-        generate(find_distribution(kind), n, 1), {STANDARD, 1, 1}, 1};
+    struct question question = kind_question(kind, n, 1);
     struct answers answers = answers_for(n, FURTHEST);
     find_algorithm("furthest-hull")->run(&question, &answers);
     struct rank *ranks = rank_points(answers.furthest, n);

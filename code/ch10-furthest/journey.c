@@ -110,13 +110,12 @@ static void time_pace(enum pace pace, int trials, struct times *times)
 
 //> Print a stage
 // Nanoseconds for each of n points, of which fewer were timed: then
-// each would have met n / fewer times as many others. Names are words.
+// each would have met n / fewer times as many others.
 static void print_stage(const struct algorithm *algorithm,
                         const struct times *times, uint32_t n,
                         uint32_t fewer)
 {
-    for (const char *c = algorithm->name; *c; c++)
-        putchar(*c == '-' ? '_' : *c);
+    print_word(stdout, algorithm->name);
     printf("\t%d\t%s\t%u\t%d", algorithm->chapter,
            algorithm->answers == NEAREST    ? "nearest"
            : algorithm->answers == FURTHEST ? "furthest"

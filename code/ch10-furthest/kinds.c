@@ -1,14 +1,13 @@
 //> Try the furthest on points of every kind
 // Distances and nanoseconds a point of the furthest by cells and by the
-// hull, and of all pairs in tiles, on points
-// that suit one of them and on points that suit none. One thread.
+// hull, and of all pairs in tiles, on points that suit one of them and
+// on points that suit none. One thread.
 //
 //     kinds [POINTS [TRIALS]]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 
 static const struct {
@@ -16,14 +15,18 @@ static const struct {
 } ways[] = {{"furthest-cells", "cells"},
             {"furthest-hull", "hull"},
             {"tiles", "tiles"}};
-enum { WAYS = sizeof ways / sizeof *ways };
+static const char *const kinds[] = {
+    "uniform", "clustered",    "lattice", "collinear",
+    "kuzmin",  "two-clusters", "circle"};
+enum {
+    WAYS = sizeof ways / sizeof *ways,
+    KINDS = sizeof kinds / sizeof *kinds
+};
 
 //> Time and count one kind
-static void print_kind(const char *kind, const char *name, uint32_t n,
-                       int trials)
+static void print_kind(const char *kind, uint32_t n, int trials)
 {
-    struct question question = {
-        generate(find_distribution(kind), n, 1), {STANDARD, 1, 1}, 1};
+    struct question question = kind_question(kind, n, 1);
     struct answers answers[WAYS];
     struct search search[WAYS];
     struct trial trial[WAYS];
@@ -37,7 +40,8 @@ static void print_kind(const char *kind, const char *name, uint32_t n,
             (struct trial){.work = run_search, .context = &search[k]};
     }
     time_in_turn(trials, trial, WAYS);
-    printf("%s\t%u", name, n);
+    print_word(stdout, kind);
+    printf("\t%u", n);
     for (int k = 0; k < WAYS; k++) {
         struct counts counts = count_operations(
             find_algorithm(ways[k].algorithm), &question, &answers[k]);
@@ -58,17 +62,13 @@ int main(int argc, char **argv)
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     report_provenance(stdout);
     printf("name\tn");
-    for (int k = 0; k < WAYS; k++)
-        printf("\t%s_distances\t%s\t%s_q1\t%s_q3", ways[k].name,
-               ways[k].name, ways[k].name, ways[k].name);
+    for (int k = 0; k < WAYS; k++) {
+        printf("\t%s_distances", ways[k].name);
+        print_summary_columns(ways[k].name);
+    }
     puts("");
-    print_kind("uniform", "uniform", n, trials);
-    print_kind("clustered", "clustered", n, trials);
-    print_kind("lattice", "lattice", n, trials);
-    print_kind("collinear", "collinear", n, trials);
-    print_kind("kuzmin", "kuzmin", n, trials);
-    print_kind("two-clusters", "two_clusters", n, trials);
-    print_kind("circle", "circle", n, trials);
+    for (int k = 0; k < KINDS; k++)
+        print_kind(kinds[k], n, trials);
     return 0;
 }
 //<

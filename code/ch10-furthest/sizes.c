@@ -61,8 +61,7 @@ int main(int argc, char **argv)
     report_provenance(stdout);
     printf("name\tn");
     for (int k = 0; k < CURVES; k++)
-        printf("\t%s\t%s_q1\t%s_q3", curves[k].name, curves[k].name,
-               curves[k].name);
+        print_summary_columns(curves[k].name);
     puts("");
     for (uint64_t n = 1000; n <= most; n *= 10)
         for (int third = 0; third < 2; third++)

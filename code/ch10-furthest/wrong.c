@@ -6,12 +6,17 @@
 //
 //     wrong [POINTS [SETS]]
 #include "algorithms.h"
+#include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/sorted.h"
 #include "ch10-furthest/border.h"
 #include "common/argument.h"
 #include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
+
+static const char *const kinds[] = {"uniform",   "clustered",
+                                    "collinear", "circle",
+                                    "kuzmin",    "two-clusters"};
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 //> Compare with the right distances
 static double wrong_share(const struct answers *found,
@@ -49,23 +54,20 @@ static struct wrong wrong_answers(const struct question *question,
 }
 //<
 
-static void print_wrong(const char *name, const char *kind, uint32_t n,
-                        double c, int sets)
+static void print_wrong(const char *kind, uint32_t n, double c,
+                        int sets)
 {
     struct wrong sum = {0, 0};
     int broken = 0;
     for (int set = 0; set < sets; set++) {
-        struct question question = {
-            generate(find_distribution(kind), n, set + 1),
-            {STANDARD, 1, 1},
-            1};
+        struct question question = kind_question(kind, n, set + 1);
         struct wrong wrong = wrong_answers(&question, c);
         sum.edge += wrong.edge;
         sum.corner += wrong.corner;
         broken += wrong.corner > 0;
         points_free(&question.points);
     }
-    printf("%s\t%u\t%d\t%.4g\t%.4g\t%.4g\t%.4g\n", name, n, sets, c,
+    printf("\t%u\t%d\t%.4g\t%.4g\t%.4g\t%.4g\n", n, sets, c,
            sum.edge / sets, sum.corner / sets, (double)broken / sets);
     fflush(stdout);
 }
@@ -78,17 +80,15 @@ int main(int argc, char **argv)
     int sets = argument(argc, argv, 2, "SETS", 100, 1, MANY);
     report_provenance(stdout);
     puts("name\tn\tsets\tc\tedge\tcorner\tbroken");
-    print_wrong("wrong_uniform", "uniform", n, sqrt(n), 1);
-    print_wrong("wrong_clustered", "clustered", n, sqrt(n), 1);
-    print_wrong("wrong_collinear", "collinear", n, sqrt(n), 1);
-    print_wrong("wrong_circle", "circle", n, sqrt(n), 1);
-    print_wrong("wrong_kuzmin", "kuzmin", n, sqrt(n), 1);
-    print_wrong("wrong_two_clusters", "two-clusters", n, sqrt(n), 1);
-    print_wrong("sets_c1", "uniform", SMALL, 1, sets);
-    print_wrong("sets_c2", "uniform", SMALL, 2, sets);
-    print_wrong("sets_c4", "uniform", SMALL, 4, sets);
-    print_wrong("sets_c8", "uniform", SMALL, 8, sets);
-    print_wrong("sets_c16", "uniform", SMALL, 16, sets);
+    for (int k = 0; k < KINDS; k++) {
+        printf("wrong_");
+        print_word(stdout, kinds[k]);
+        print_wrong(kinds[k], n, sqrt(n), 1);
+    }
+    for (int c = 1; c <= 16; c *= 2) {
+        printf("sets_c%d", c);
+        print_wrong("uniform", SMALL, c, sets);
+    }
     return 0;
 }
 //<

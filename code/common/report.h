@@ -1,8 +1,13 @@
 //> Declare the head of a table
 // Says on what machine, with which compiler and flags, and when the
-// numbers below it were measured: lines that begin with '#'.
+// numbers below it were measured: lines that begin with '#'. Rows below
+// it begin with a word.
 #pragma once
 #include <stdio.h>
 
 void report_provenance(FILE *out);
+
+// Prints a name so that prose can quote it: two-clusters is
+// two_clusters.
+void print_word(FILE *out, const char *name);
 //<

@@ -1,6 +1,7 @@
 //> Print the results
 // See results.h.
 #include "peers/results.h"
+#include "common/report.h"
 #include <math.h>
 
 void print_columns(FILE *out)
@@ -36,8 +37,7 @@ void print_result(FILE *out, const char *program, const char *kind,
                   const struct result *result)
 {
     const bool run = result->trials > 0;
-    for (const char *c = program; *c; c++)
-        fputc(*c == '-' ? '_' : *c, out);
+    print_word(out, program);
     fprintf(out, "_%s_%u_%s", kind, n, order);
     fprintf(out, "\t%s\t%s\t%u\t%s\t%d\t%d", program, kind, n, order,
             leaf, result->trials);
