@@ -35,6 +35,7 @@ end
 
 local book = {
   job = job, labels = {}, references = {}, cited = {},
+  indexed = {}, sent = {},
   fragments = fragments.read(job.code),
   bibliography = keys_of(job.bibliography),
 }

@@ -105,12 +105,30 @@ function context.reference(label)
   return context.raw(text)
 end
 
--- When everything has been read, every label must be there.
+-- The index has an entry of that name; another one sends there.
+function context.indexed(entry)
+  context.book.indexed[entry] = true
+end
+
+function context.see(entry, words)
+  local source = context.here.source
+  table.insert(context.book.sent, { entry = entry, path = source.path,
+    line = source:find(words) })
+end
+
+-- When everything has been read, every label must be there, and every
+-- entry of the index that another one names.
 function context.check_references()
   for _, r in ipairs(context.book.references) do
     if not context.book.labels[r.label] then
       faults.add(r.path, r.line, 'there is nothing with the label "%s"',
         r.label)
+    end
+  end
+  for _, s in ipairs(context.book.sent) do
+    if not context.book.indexed[s.entry] then
+      faults.add(s.path, s.line, 'the index has no entry "%s" to see',
+        s.entry)
     end
   end
 end

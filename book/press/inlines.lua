@@ -20,7 +20,7 @@ local span_attributes = {
   given = {},
   claim = { ["if"] = true },
   fragment = {},
-  index = { key = true },
+  index = { key = true, see = true },
   machine = {},
 }
 
@@ -216,6 +216,15 @@ local function index_safe(text)
   return (text:gsub('[!@|"]', '"%0'))
 end
 
+-- makeindex knows nothing of accents.
+local plain = { ["á"] = "a", ["ä"] = "a", ["é"] = "e", ["è"] = "e",
+  ["ï"] = "i", ["ö"] = "o", ["ü"] = "u" }
+
+local function in_its_place(entry)
+  local sorted = entry:gsub("[\xc2-\xdf][\x80-\xbf]", plain)
+  return sorted == entry and entry or sorted .. "@" .. entry
+end
+
 -- A capital that only begins the sentence is not the index's.
 local function uncapitalized(words)
   return (words:gsub("^%u%f[^%u][^%u]*$", function(all)
@@ -224,10 +233,11 @@ local function uncapitalized(words)
 end
 
 function span.index(x, words, begins_sentence)
-  local key = x.attributes.key
+  local key, see = x.attributes.key, x.attributes.see
   local entry
   if key then
-    entry = latex.text(key:gsub('[@|"]', '"%0'))
+    context.indexed(key:match("^[^!]*"))
+    entry = in_its_place(latex.text(key:gsub('[@|"]', '"%0')))
   elseif words == "" then
     fault("{.index", "an index entry needs words or a key")
     return pandoc.List()
@@ -236,7 +246,12 @@ function span.index(x, words, begins_sentence)
       index_safe(latex.inline_code(words))
   else
     if begins_sentence then words = uncapitalized(words) end
+    context.indexed(words)
     entry = latex.text(index_safe(words))
+  end
+  if see then
+    context.see(see, words == "" and key or words)
+    entry = ("%s|see{%s}"):format(entry, latex.text(index_safe(see)))
   end
   local result = woven(x.content)
   result:insert(raw("\\index{" .. entry .. "}"))
