@@ -9,7 +9,7 @@ set yrange [0:*]
 set style data histograms
 set style histogram clustered gap 1.5
 set boxwidth 0.9
-set key top right
+set key outside top center horizontal
 set xtics scale 0 ("uniform" 0, "clustered" 1, "two clusters" 2, "kuzmin" 3, "equal" 4)
 # The kinds stand in the table in this order, five sorts each;
 # the last is the bands once more.

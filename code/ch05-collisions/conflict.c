@@ -76,7 +76,7 @@ static __m256i rank(__m256i cell)
 }
 //<
 
-//> Take places with eight instructions
+//> Take eight places with the instruction
 USE_AVX512
 static __m256i take_avx512(const uint32_t *home, __mmask8 here,
                            uint32_t *next)
