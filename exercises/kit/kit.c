@@ -4,23 +4,22 @@
 //          LIBRARY SOURCE SCORES [TEST...]
 //
 // -n fails every test for this reason and runs none: no seed would
-// change that, and the table has none. PICTURE becomes
-// what wrong.gp draws, if a test has failed that can be drawn.
+// change that, and the table has none. PICTURE becomes what wrong.gp
+// draws, if a test has failed that can be drawn.
 //
 // SCORES becomes a table, tab-separated, one row a test, with all that
 // a report needs. What the student's code prints is passed on, but is
 // never taken for a result: the table is out of its reach.
-#include "kit.h"
 #include "common/clock.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "confine.h"
+#include "grader.h"
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <math.h>
 #include <omp.h>
 #include <poll.h>
-#include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -47,54 +46,14 @@
 #endif
 
 enum {
-    ARRAYS_MAX = 64,
     OUTPUT_MAX = 1 << 20, // bytes that a call may print
     MEMORY_MAX = 4,       // GB that it may ask for
     CALLS_MAX = 20,       // limits that all calls together may take
     SHOWN_MAX = 12,       // lines of its output that are passed on
-    REPORT_MAX = 300,     // bytes of a sanitizer's sentence
     NAP = 10,             // ms
-    SANITIZER_STATUS = 99,
-    POISON = 0xa5,
 };
 
-struct array {
-    const char *name;
-    char *pages, *start, *end; // end: where the closing page begins
-    size_t size;               // of an element
-    bool input;
-};
-
-// What the student's process leaves behind, besides the outputs.
-struct trace {
-    bool loaded, finished;
-    char problem[256]; // why its file cannot be used
-    char *address;     // of an access that the machine refused
-};
-
-static struct {
-    const char *source; // as the student knows it
-    const char *library;
-    int file;       // the library, open
-    double limit;   // seconds a call may take
-    double allowed; // and might, before time was lost
-    double budget;  // and all that are still to come
-    double seconds; // that the last one took, by the clock
-    double processor_seconds;
-    int printed; // the file that catches what a call prints
-    FILE *scores;
-    const char *picture; // the file to draw; NULL: done, or not wanted
-    struct trace *trace;
-
-    // of the test that runs
-    struct array arrays[ARRAYS_MAX];
-    int array_count;
-    char given[256], text[4096];
-    size_t text_length;
-    const char *status;
-    struct kit_fault fault;
-    jmp_buf end;
-} grader;
+struct grader grader;
 
 // In the student's process only.
 static struct {
@@ -251,8 +210,7 @@ static _Noreturn void give_up(const char *problem, const char *name)
     _exit(1);
 }
 
-// The name of the file that is open, for this process.
-static const char *loaded_name(void)
+const char *loaded_name(void)
 {
     static char name[64];
 #ifdef __linux__
@@ -376,8 +334,8 @@ double kit_seconds(bool by_clock)
     return by_clock ? grader.seconds : grader.processor_seconds;
 }
 
-_Noreturn static void broken(const char *status, const char *found,
-                             const char *cause)
+_Noreturn void broken(const char *status, const char *found,
+                      const char *cause)
 {
     grader.fault = (struct kit_fault){.found = found, .cause = cause};
     end_test(status);
@@ -389,22 +347,6 @@ static char *read_printed(void)
     ssize_t got = pread(grader.printed, text, OUTPUT_MAX, 0);
     text[got < 0 ? 0 : got] = '\0';
     return text;
-}
-
-// Where a sanitizer's report begins, or else the end of the text.
-static char *find_report(char *printed)
-{
-    static const char *const signs[] = {
-        "AddressSanitizer:", "=================", ": runtime error: "};
-    char *begin = printed + strlen(printed);
-    for (int s = 0; s < 3; s++) {
-        char *sign = strstr(printed, signs[s]);
-        if (sign && sign < begin)
-            begin = sign;
-    }
-    while (*begin && begin > printed && begin[-1] != '\n')
-        begin--;
-    return begin;
 }
 
 static void put_line(const char *text, int length)
@@ -429,209 +371,6 @@ static void pass_on(const char *text, const char *end)
         text += length + (text[length] == '\n');
     }
     fflush(stdout);
-}
-
-// The line of the student's file in which the machine code at this
-// place of its library stands, or 0.
-static int line_at(const char *place)
-{
-    int ends[2];
-    pid_t process = pipe(ends) == 0 ? fork() : -1;
-    if (process < 0)
-        return 0;
-    if (process == 0) {
-        dup2(ends[1], STDOUT_FILENO);
-        execlp("addr2line", "addr2line", "-s", "-e", grader.library,
-               place, (char *)NULL);
-        _exit(1);
-    }
-    close(ends[1]);
-    char said[512] = "";
-    int line = 0;
-    ssize_t got = read(ends[0], said, sizeof said - 1);
-    close(ends[0]);
-    waitpid(process, NULL, 0);
-    const char *name = strrchr(grader.source, '/');
-    name = name ? name + 1 : grader.source;
-    size_t length = strlen(name);
-    if (got > 0 && strncmp(said, name, length) == 0)
-        sscanf(said + length, ":%d", &line);
-    return line;
-}
-
-// The line of the student's file that a report names first, or 0.
-static int line_in(const char *report)
-{
-    enum { FRAMES_MAX = 8 };
-    const char *frame = report;
-    for (int frames = 0; frames < FRAMES_MAX; frames++) {
-        char place[32];
-        frame = strstr(frame, loaded_name());
-        if (!frame)
-            break;
-        frame += strlen(loaded_name());
-        if (sscanf(frame, "+%31[0-9a-fx]", place) != 1)
-            continue;
-        int line = line_at(place);
-        if (line > 0)
-            return line;
-    }
-    const char *name = strrchr(grader.source, '/');
-    name = name ? name + 1 : grader.source;
-    for (; (report = strstr(report, name)); report++) {
-        int line;
-        if (sscanf(report + strlen(name), ":%d", &line) == 1)
-            return line;
-    }
-    return 0;
-}
-
-static const char *at_line(const char *what, int line)
-{
-    if (line == 0)
-        return what;
-    return kit_text("%s, in line %d of %s", what, line, grader.source);
-}
-
-// An access that the machine refused: to which array?
-static void judge_access(char *address, int line)
-{
-    size_t page = sysconf(_SC_PAGESIZE);
-    for (int a = 0; a < grader.array_count; a++) {
-        struct array *array = &grader.arrays[a];
-        if (address < array->pages || address >= array->end + page)
-            continue;
-        if (address < array->end)
-            broken(
-                "crashed",
-                at_line(kit_text("it writes to %s", array->name), line),
-                "This array may only be read.");
-        size_t count = (array->end - array->start) / array->size;
-        broken("crashed",
-               at_line(kit_text("it touches element %td of %s, which "
-                                "has %zu",
-                                (address - array->start) /
-                                    (ptrdiff_t)array->size,
-                                array->name, count),
-                       line),
-               "An index runs past the end: the last one is the "
-               "number of elements minus 1.");
-    }
-    broken("crashed",
-           at_line("it uses memory that is not its own", line),
-           "An index out of range, a pointer that was never set, or a "
-           "recursion without end.");
-}
-
-// What the sanitizers call it, and what it usually is.
-static const char *const sanitizer_words[][2] = {
-    {"stack-overflow",
-     "A recursion without end, or a huge local array."},
-    {"heap-buffer-overflow",
-     "An index runs past the end of memory that you allocated."},
-    {"stack-buffer-overflow",
-     "An index runs past the end of a local array."},
-    {"global-buffer-overflow",
-     "An index runs past the end of a global array."},
-    {"use-after-poison",
-     "An index became negative: this is in front of an array."},
-    {"heap-use-after-free", "It is used after free()."},
-    {"double-free", "The same memory is released twice."},
-    {"bad-free", "free() is for what malloc() gave, and nothing else."},
-    {"out of memory", "Is memory allocated in a loop without end?"},
-    {"Failed to mmap", "Is memory allocated in a loop without end?"},
-    {"out of bounds", "An index runs past the end of an array."},
-    {"signed integer overflow",
-     "The result does not fit: use a wider type, and convert before "
-     "you multiply."},
-    {"shift exponent", "A shift by as many bits as the type has."},
-    {"division by zero", "What if there is nothing to divide by?"},
-    {"outside the range of representable values",
-     "A double too large, negative or NaN was converted to an integer: "
-     "test it first."},
-    {"null pointer", "A pointer that was never set, or a failed "
-                     "allocation."},
-    {"SEGV", "An index out of range, a pointer that was never set, or "
-             "a recursion without end."},
-};
-
-static void judge_report(const char *report)
-{
-    const char *key = "runtime error: ";
-    const char *what = strstr(report, key);
-    if (what) {
-        what += strlen(key);
-    } else {
-        key = "ERROR: AddressSanitizer: ";
-        what = strstr(report, key);
-        what = what ? what + strlen(key) : report;
-    }
-    int length = strcspn(what, "\n");
-    const char *address = strstr(what, " on ");
-    if (address && address - what < length)
-        length = address - what;
-    if (length > REPORT_MAX) // it may be the student's own invention
-        length = REPORT_MAX;
-    const char *cause = NULL;
-    int words = sizeof sanitizer_words / sizeof *sanitizer_words;
-    for (int w = words - 1; w >= 0; w--)
-        if (strstr(report, sanitizer_words[w][0]))
-            cause = sanitizer_words[w][1];
-    broken("crashed",
-           at_line(kit_text("%.*s", length, what), line_in(report)),
-           cause);
-}
-
-static void judge_signal(int signal)
-{
-    switch (signal) {
-    case SIGFPE:
-        broken("crashed", "it divides an integer by zero",
-               "What if there is nothing to divide by?");
-    case SIGABRT:
-        broken(
-            "crashed", "it ended itself with abort() or assert()",
-            "If it was assert(), the line printed above says which.");
-    case SIGXFSZ:
-        broken("crashed", "it prints more than a megabyte",
-               "Remove the printing, or the loop that never ends.");
-    case SIGKILL:
-        broken("crashed", "it was ended from outside",
-               "Most often it asked for more memory than there is.");
-    default:
-        broken("crashed", kit_text("it ended with signal %d", signal),
-               NULL);
-    }
-}
-
-static void judge(int status, const char *report)
-{
-    struct trace *trace = grader.trace;
-    if (trace->address && (!SANITIZED || strstr(report, "SEGV")))
-        judge_access(trace->address, line_in(report));
-    if (*report && WIFEXITED(status) &&
-        WEXITSTATUS(status) == SANITIZER_STATUS)
-        judge_report(report);
-    if (WIFSIGNALED(status))
-        judge_signal(WTERMSIG(status));
-    if (trace->problem[0])
-        broken("missing", kit_text("%s", trace->problem),
-               kit_text("Is every name in %s spelled as in the text?",
-                        grader.source));
-    if (!trace->loaded || !trace->finished)
-        broken("crashed",
-               kit_text("it ended the program, with status %d",
-                        WEXITSTATUS(status)),
-               "A function answers with return; exit() ends "
-               "everything.");
-    for (int a = 0; a < grader.array_count; a++)
-        for (char *c = grader.arrays[a].pages;
-             c < grader.arrays[a].start; c++)
-            if ((unsigned char)*c != POISON)
-                broken("crashed",
-                       kit_text("it wrote in front of %s",
-                                grader.arrays[a].name),
-                       "An index became negative.");
 }
 
 static double in_seconds(struct timeval time)
@@ -677,6 +416,20 @@ static bool wait_for(pid_t process, int pipe, int *status)
     return ended;
 }
 
+_Noreturn static void stopped(bool had_less)
+{
+    const char *seconds = kit_text("%.2g", grader.seconds);
+    const char *found = kit_text("no answer after %s second%s", seconds,
+                                 strcmp(seconds, "1") == 0 ? "" : "s");
+    grader.limit = fmax(grader.limit / 2, 1); // do not wait long
+    broken("stopped", found,
+           had_less ? "A loop that never ends? The time for this "
+                      "exercise is used up by the tests before, and "
+                      "this one had less of it."
+                    : "A loop that never ends, or one whose time "
+                      "grows too fast with n.");
+}
+
 bool kit_enter(void)
 {
     *grader.trace = (struct trace){.loaded = false};
@@ -699,19 +452,8 @@ bool kit_enter(void)
     char *printed = read_printed();
     char *report = find_report(printed);
     pass_on(printed, report);
-    if (!ended) {
-        const char *seconds = kit_text("%.2g", grader.seconds);
-        const char *found =
-            kit_text("no answer after %s second%s", seconds,
-                     strcmp(seconds, "1") == 0 ? "" : "s");
-        grader.limit = fmax(grader.limit / 2, 1); // do not wait long
-        broken("stopped", found,
-               less ? "A loop that never ends? The time for this "
-                      "exercise is used up by the tests before, and "
-                      "this one had less of it."
-                    : "A loop that never ends, or one whose time "
-                      "grows too fast with n.");
-    }
+    if (!ended)
+        stopped(less);
     judge(status, report);
     return false;
 }
@@ -726,16 +468,15 @@ static void put_cell(const char *text, char end)
     putc(end, grader.scores);
 }
 
-static void run_test(const struct kit_test *test, uint64_t seed,
-                     const char *lost, const char *verdict)
+static void run_test(const struct kit_test *test)
 {
     grader.status = "passed";
     grader.fault = (struct kit_fault){.where = NULL};
     grader.given[0] = '\0';
     if (setjmp(grader.end) == 0) {
-        if (lost)
-            broken(verdict, lost, NULL);
-        test->run(seed);
+        if (grader.lost)
+            broken(grader.verdict, grader.lost, NULL);
+        test->run(grader.seed);
     }
     bool passed = strcmp(grader.status, "passed") == 0;
     bool graded = strcmp(grader.status, "not graded") != 0;
@@ -743,7 +484,8 @@ static void run_test(const struct kit_test *test, uint64_t seed,
             passed ? test->points : grader.fault.points,
             graded ? test->points : 0, grader.status);
     put_cell(test->about, '\t');
-    put_cell(lost ? "" : kit_text("%ju", (uintmax_t)seed), '\t');
+    put_cell(grader.lost ? "" : kit_text("%ju", (uintmax_t)grader.seed),
+             '\t');
     put_cell(grader.given, '\t');
     put_cell(grader.fault.where, '\t');
     put_cell(grader.fault.expected, '\t');
@@ -773,45 +515,59 @@ static void prepare(const char *scores)
     if (!printed || !grader.scores || grader.trace == MAP_FAILED)
         fail("cannot write %s, or no memory", scores);
     grader.printed = fileno(printed);
-    grader.file = open(grader.library, O_RDONLY);
+    grader.file =
+        grader.lost ? -1 : open(grader.library, O_RDONLY | O_CLOEXEC);
+    if (!grader.lost && grader.file < 0)
+        fail("cannot open %s", grader.library);
     fprintf(grader.scores, "test\tpoints\tof\tstatus\tabout\tseed\t"
                            "given\twhere\texpected\tfound\tcause\n");
+}
+
+static bool read_options(int argc, char **argv)
+{
+    grader.seed = 1;
+    grader.limit = 10;
+    grader.verdict = "missing";
+    for (int option;
+         (option = getopt(argc, argv, "s:l:n:v:p:")) != -1;) {
+        if (option == 's')
+            grader.seed = strtoull(optarg, NULL, 0);
+        else if (option == 'l')
+            grader.limit = atof(optarg);
+        else if (option == 'n')
+            grader.lost = optarg;
+        else if (option == 'v')
+            grader.verdict = optarg;
+        else if (option == 'p')
+            grader.picture = optarg;
+        else
+            return false;
+    }
+    grader.allowed = grader.limit;
+    grader.budget = CALLS_MAX * grader.limit;
+    return true;
 }
 
 int main(int argc, char **argv)
 {
     fail_as("grader", NULL);
-    uint64_t seed = 1;
-    const char *lost = NULL, *verdict = "missing";
-    grader.limit = 10;
-    for (int option;
-         (option = getopt(argc, argv, "s:l:n:v:p:")) != -1;) {
-        if (option == 's')
-            seed = strtoull(optarg, NULL, 0);
-        else if (option == 'l')
-            grader.limit = atof(optarg);
-        else if (option == 'n')
-            lost = optarg;
-        else if (option == 'v')
-            verdict = optarg;
-        else if (option == 'p')
-            grader.picture = optarg;
-        else
-            return 2;
-    }
+    if (!read_options(argc, argv))
+        return 2;
+    argv += optind;
     if (argc - optind < 3)
         fail("say LIBRARY SOURCE SCORES");
-    grader.library = argv[optind];
-    grader.source = argv[optind + 1];
-    grader.allowed = grader.limit;
-    grader.budget = CALLS_MAX * grader.limit;
-    prepare(argv[optind + 2]);
+    grader.library = argv[0];
+    grader.source = argv[1];
+    prepare(argv[2]);
     guard_judge();
     if (SANITIZED && !has_rules())
         puts("This system has limits to hold a program back, but no "
              "rules.");
     for (const struct kit_test *test = kit_tests; test->name; test++)
-        if (wanted(test->name, argv + optind + 3))
-            run_test(test, seed, lost, verdict);
+        if (wanted(test->name, argv + 3))
+            run_test(test);
+    bool bad = ferror(grader.scores);
+    if (fclose(grader.scores) != 0 || bad)
+        fail("cannot write %s", argv[2]);
     return 0;
 }

@@ -1,7 +1,7 @@
 // The grading kit: what the tests.c of an exercise is written with.
 //
-// The grader is kit.c, tests.c and the modules of code/common. The
-// student's file is a shared library which the grader itself never
+// The grader is kit.c, judge.c, tests.c and the modules of code/common.
+// The student's file is a shared library which the grader itself never
 // loads: only what stands in CALL(...) runs with it, in a process of
 // its own with limits of time, memory and output. All that comes back
 // is what it wrote to the arrays of kit_output. A crash, an endless

@@ -1,5 +1,5 @@
 # Builds what exercises/kit/exercise and exercises/kit/check ask for:
-# the graders, in two variants, and the student's file as a library.
+# the graders, in three variants, and the student's file as a library.
 # BUILD and CC come from the environment.
 K     := $(BUILD)/kit
 MARCH ?= native
@@ -26,7 +26,7 @@ slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thr
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
 modules    := $(patsubst code/%.c,%,$(wildcard code/common/*.c))
-kit_modules := kit confine marks slow_motion
+kit_modules := kit judge confine marks slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 
 # ---- graders -------------------------------------------------------
@@ -78,7 +78,7 @@ results := $(exercises:%=$(K)/%/text.result) \
 check: $(results)
 	@cat $(results)
 
-kit := exercises/kit/check exercises/kit/kit.mk exercises/kit/starter.awk
+kit := $(addprefix exercises/kit/,check common.sh kit.mk starter.awk)
 $(K)/%/text.result: exercises/%/exercise.md $(kit)
 	@mkdir -p $(@D)
 	exercises/kit/check text $* >$@
