@@ -5,10 +5,9 @@
 //   results FOLDER NOTE [KEY TITLE WORTH SCORES REPORT]...
 //
 // WORTH is how many points an exercise gives, SCORES its table, REPORT
-// the file of what was said about it.
-// Both files hold words of the student's program. Whatever it printed,
-// what we write is valid: bytes that are no UTF-8 become U+FFFD,
-// control characters a question mark.
+// the file of what was said about it. Both files hold words of the
+// student's program. Whatever it printed, what we write is valid: bytes
+// that are no UTF-8 become U+FFFD, control characters a question mark.
 #include <errno.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -48,7 +47,7 @@ struct exercise {
 static _Noreturn void die(const char *what, const char *name)
 {
     fprintf(stderr, "results: %s %s: %s\n", what, name,
-            strerror(errno));
+            errno ? strerror(errno) : "it is no table of scores");
     exit(2);
 }
 
@@ -138,13 +137,17 @@ static void read_scores(struct exercise *exercise, const char *name)
     FILE *file = fopen(name, "r");
     if (!file || !fgets(row, sizeof row, file))
         die("cannot read", name);
-    while (exercise->count < TESTS_MAX &&
-           fgets(row, sizeof row, file)) {
+    errno = 0;
+    while (fgets(row, sizeof row, file)) {
+        if (exercise->count == TESTS_MAX || !strchr(row, '\n'))
+            die("cannot read", name);
         struct test *test = &exercise->tests[exercise->count++];
         split(row, test);
         exercise->points += test->points;
         exercise->of += test->of;
     }
+    if (ferror(file))
+        die("cannot read", name);
     fclose(file);
 }
 
@@ -154,9 +157,10 @@ static void read_report(struct exercise *exercise, const char *name)
     FILE *file = fopen(name, "r");
     if (!file)
         die("cannot read", name);
-    char *text = malloc(TEXT_MAX + 1), *tail = text + TEXT_MAX / 2;
+    char *text = malloc(TEXT_MAX + 1);
     if (!text)
         die("no memory for", name);
+    char *tail = text + TEXT_MAX / 2;
     size_t length = fread(text, 1, TEXT_MAX, file);
     if (length == TEXT_MAX &&
         fseek(file, -(TEXT_MAX / 2), SEEK_END) == 0) {
@@ -268,22 +272,15 @@ static void write_json(const char *folder, const char *note,
 {
     FILE *file = begin(folder, "results.json");
     double total = 0;
-    size_t bytes = 1;
-    for (int e = 0; e < count; e++) {
+    for (int e = 0; e < count; e++)
         total += score(&exercises[e]);
-        bytes += strlen(exercises[e].report) + 1;
-    }
-    char *output = malloc(bytes + strlen(note) + 1);
-    if (!output)
-        die("no memory for", folder);
-    strcpy(output, note);
+    fprintf(file, "{\n  \"score\": %.2f,\n  \"output\": \"", total);
+    put_text(file, note, true);
     for (int e = 0; e < count; e++) {
-        strcat(output, exercises[e].report);
-        strcat(output, "\n");
+        put_text(file, exercises[e].report, true);
+        put_text(file, "\n", true);
     }
-    fprintf(file, "{\n  \"score\": %.2f,\n  ", total);
-    put_json(file, "output", output);
-    fputs(",\n  \"visibility\": \"visible\",\n"
+    fputs("\",\n  \"visibility\": \"visible\",\n"
           "  \"stdout_visibility\": \"hidden\",\n"
           "  \"extra_data\": {",
           file);
@@ -298,8 +295,24 @@ static void write_json(const char *folder, const char *note,
                             e == count - 1 &&
                                 t == exercises[e].count - 1);
     fputs("  ]\n}\n", file);
-    free(output);
     end(file, "results.json");
+}
+
+static void write_case(FILE *file, const struct exercise *exercise,
+                       int t)
+{
+    const struct test *test = &exercise->tests[t];
+    fprintf(file, "    <testcase classname=\"%s\" name=\"",
+            exercise->key);
+    put_text(file, test->cell[TEST], false);
+    fputs("\">", file);
+    if (!passed(test)) {
+        const char *kind = graded(test) ? "failure" : "skipped";
+        fprintf(file, "<%s message=\"", kind);
+        put_text(file, said(test, t == 0), false);
+        fputs("\"/>", file);
+    }
+    fputs("</testcase>\n", file);
 }
 
 static void write_suite(FILE *file, const struct exercise *exercise)
@@ -316,20 +329,8 @@ static void write_suite(FILE *file, const struct exercise *exercise)
             "\" tests=\"%d\" failures=\"%d\" errors=\"0\" "
             "skipped=\"%d\">\n",
             exercise->count, failures, skipped);
-    for (int t = 0; t < exercise->count; t++) {
-        const struct test *test = &exercise->tests[t];
-        fprintf(file, "    <testcase classname=\"%s\" name=\"",
-                exercise->key);
-        put_text(file, test->cell[TEST], false);
-        fputs("\">", file);
-        if (!passed(test)) {
-            const char *kind = graded(test) ? "failure" : "skipped";
-            fprintf(file, "<%s message=\"", kind);
-            put_text(file, said(test, t == 0), false);
-            fputs("\"/>", file);
-        }
-        fputs("</testcase>\n", file);
-    }
+    for (int t = 0; t < exercise->count; t++)
+        write_case(file, exercise, t);
     fputs("  </testsuite>\n", file);
 }
 
@@ -345,25 +346,31 @@ static void write_xml(const char *folder,
     end(file, "junit.xml");
 }
 
+// A test that was lost stands in the table, a file that could not be
+// tested only once.
+static void print_exercise(const struct exercise *exercise)
+{
+    printf("  %-6s %-48s %3d / %d\n", exercise->key, exercise->title,
+           exercise->points, exercise->of);
+    for (int t = 0; t < exercise->count; t++) {
+        const struct test *test = &exercise->tests[t];
+        if (untested(test)) {
+            printf("         %s\n", test->cell[STATUS]);
+            break;
+        }
+        if (!passed(test))
+            printf("         %-10s %s\n", test->cell[STATUS],
+                   test->cell[ABOUT]);
+    }
+}
+
 static void print_table(const char *note,
                         const struct exercise *exercises, int count)
 {
     int points = 0, of = 0;
     printf("\n");
     for (int e = 0; e < count; e++) {
-        printf("  %-6s %-48s %3d / %d\n", exercises[e].key,
-               exercises[e].title, exercises[e].points,
-               exercises[e].of);
-        for (int t = 0; t < exercises[e].count; t++) {
-            const struct test *test = &exercises[e].tests[t];
-            if (untested(test)) {
-                printf("         %s\n", test->cell[STATUS]);
-                break;
-            }
-            if (!passed(test))
-                printf("         %-10s %s\n", test->cell[STATUS],
-                       test->cell[ABOUT]);
-        }
+        print_exercise(&exercises[e]);
         points += exercises[e].points;
         of += exercises[e].of;
     }
@@ -395,5 +402,7 @@ int main(int argc, char **argv)
     write_json(argv[1], argv[2], exercises, count);
     write_xml(argv[1], exercises, count);
     print_table(argv[2], exercises, count);
+    if (fflush(stdout) != 0)
+        die("cannot print", "the table");
     return 0;
 }
