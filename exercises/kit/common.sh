@@ -13,8 +13,14 @@ usage() {
     die "say make exercise2.1 for exercise 1 of chapter 2"
 }
 
-# find_exercise 2.1 sets key, folder, id, title and slug:
-# exercises/ch02/1-nearest-pair, ch02/1-nearest-pair, nearest-pair.
+# key_of exercises/ch02/1-nearest-pair/exercise.md: 2.1
+key_of() {
+    echo "$1" | sed 's,[^/]*/ch0*\([0-9]*\)/\([0-9]*\).*,\1.\2,'
+}
+
+# find_exercise 2.1 sets key, folder, id, slug, title and worth:
+# exercises/ch02/1-nearest-pair, ch02/1-nearest-pair, nearest-pair, and
+# from the text the title and how many points.
 find_exercise() {
     key=$1
     case $key in
@@ -29,6 +35,7 @@ find_exercise() {
     folder=$1
     id=${folder#exercises/}
     title=$(sed -n 's/^title: *//p' "$folder/exercise.md")
+    worth=$(sed -n 's/^points: *//p' "$folder/exercise.md")
     slug=$(basename "$folder" | sed 's/^[0-9]*-//')
 }
 
