@@ -1,8 +1,8 @@
 # Reports two runs of a grader: usage
 #   awk -f report.awk -v key=2.1 -v title=TITLE -v out=SCORES FIRST SECOND
-# A row without a seed was lost with all others. Tells every failure, prints the score table, and writes both runs as
-# one table: a test earns what it earns in both. What could not be
-# graded is out of how many points.
+# Tells every failure, prints the score table, and writes both runs as
+# one table: a test earns what it earns in both. A row without a seed
+# was lost with all others. What could not be graded is worth nothing.
 
 BEGIN { FS = OFS = "\t" }
 FNR == 1 { run++; head = $0; next }
