@@ -6,7 +6,7 @@ table = data . "/ch10-corner.tsv"
 of(name, k) = strcol(1) eq name ? column(k) : NaN
 unset tics; unset grid; unset border
 set size ratio -1
-set key at screen 0.5,0.0 center bottom horizontal maxrows 1 Left reverse samplen 1 width 2
+set key at screen 0.5,0.0 center bottom horizontal maxrows 1 Left reverse samplen 1 width -1
 set multiplot layout 1,2 margins 0.02,0.98,0.12,0.99 spacing 0.04,0
 do for [panel in "sound broken"] {
   set xrange [*:*]; set yrange [*:*]

@@ -10,9 +10,12 @@ unset key; unset ytics; unset grid
 set border 1 ls 10
 set multiplot layout 1,2 margins 0.05,0.95,0.16,0.86 spacing 0.1,0
 set title "furthest, standard"
+set xtics 0.2
+set xrange [0.65:1.5]
 set yrange [0:*]
 plot table using "standard_at":"standard" lt 1
 set title "furthest, wraparound"
+set xrange [*:*]
 stats table using "wraparound_at" nooutput
 set xtics STATS_min + 0.15*(STATS_max - STATS_min), 0.35*(STATS_max - STATS_min)
 set format x "%.4f"

@@ -8,6 +8,7 @@ set logscale xy
 set xlabel "points"
 set ylabel "ns a point"
 set xrange [700:15000000]
+set yrange [5:1000<*]
 set xtics ("1,000" 1000, "10,000" 10000, "100,000" 100000, "1,000,000" 1e6, "10,000,000" 1e7)
 set key top left
 plot table using "n":"both":"both_q1":"both_q3" with yerrorlines lt 4 title "both, near and far", \

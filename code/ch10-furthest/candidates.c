@@ -27,8 +27,8 @@ static void print_counts(const struct question *question, double c,
     struct counts corner = counting_take();
     printf("\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g", side,
            (double)edge.distances / n, 4 * (side - 1) * mean,
-           (double)corner.cells / n, 4 + 16 / side,
-           (double)corner.distances / n, (4 + 16 / side) * mean);
+           (double)corner.cells / n, 4 + 15 / side,
+           (double)corner.distances / n, (4 + 15 / side) * mean);
     sorted_free(&sorted);
 }
 //<

@@ -30,7 +30,7 @@ struct square {
 //> Keep who can be the furthest in a square
 // Of the corners from[0 .. count-1], all but those that are nearer, to
 // everybody in the square, than the one furthest from its middle.
-// Everybody is a little outside, for what rounding does.
+// The square is taken a little larger than it is, for rounding.
 static uint32_t keep_far(const struct making *making,
                          struct square square, const uint32_t *from,
                          uint32_t count, uint32_t *to)

@@ -43,8 +43,9 @@ INLINED double far_in(const enum geometry geometry,
     double apart = most(0, -least(below, above));
     return most(far, axis->period - apart);
 }
+//<
 
-// The same for all cells of the axis.
+//> Bound the separation from all cells of an axis
 INLINED double far_along(const enum geometry geometry,
                          const struct axis *axis, double x)
 {
