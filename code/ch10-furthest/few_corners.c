@@ -193,12 +193,11 @@ struct regions regions_make(const struct corners *corners, uint32_t n)
     const double diagonal2 = distance2(width, height);
     const bool fits = diagonal2 > LEAST_D2 && diagonal2 < MOST_D2;
     const uint32_t side = fits ? side_for(n, p.n) : 1;
-    struct regions regions = {.left = left,
-                              .bottom = bottom,
-                              .across = regions_per(side, width),
-                              .up = regions_per(side, height),
-                              .side = side,
-                              .corners = p.n};
+    struct regions regions = {.side = side, .corners = p.n};
+    if (fits) { // else any x * 0 is 0, and in the only one
+        regions.left = left, regions.across = regions_per(side, width);
+        regions.bottom = bottom, regions.up = regions_per(side, height);
+    }
     regions.region =
         allocate((size_t)side * side, sizeof *regions.region);
     struct making making = {.points = measured_from(p, left, bottom),

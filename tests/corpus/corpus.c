@@ -4,6 +4,7 @@
 // where several points tie, the lowest index is right.
 #include "algorithms.h"
 #include "common/generate.h"
+#include "common/isa.h"
 #include "common/random.h"
 #include "harness.h"
 #include <inttypes.h>
@@ -58,6 +59,17 @@ static void compare(const char *what, const struct question *question,
                   right->furthest2, found->furthest, found->furthest2);
 }
 
+// Instruction sets take turns, those that the machine has: all of them
+// on all points, and each with any number of threads, would take long.
+static const char *take_instructions(uint64_t turn)
+{
+    enum isa isa = turn % ISA_COUNT;
+    while (!isa_present(isa))
+        isa--;
+    setenv("NEAR_ISA", isa_names[isa], 1);
+    return isa_names[isa];
+}
+
 // So many points are not counted twice: it would take half the time.
 enum { THOUSANDS = 1000 };
 
@@ -70,11 +82,14 @@ static void try_row(const struct algorithm *row, const char *points,
     struct answers found = make_room(n, row->answers);
     const char *geometry =
         question.space.geometry == STANDARD ? "standard" : "wraparound";
-    for (int threads = 1; threads <= 4; threads *= 2) {
+    static uint64_t turn;
+    turn++;
+    for (int k = 0; k < 3; k++) {
+        const char *isa = take_instructions(turn + k);
+        question.threads = 1 << k;
         snprintf(what, sizeof what,
-                 "%s, %s, %" PRIu32 " points, %s, threads %d",
-                 row->name, points, n, geometry, threads);
-        question.threads = threads;
+                 "%s, %s, %s, %" PRIu32 " points, %s, threads %d",
+                 row->name, isa, points, n, geometry, question.threads);
         row->run(&question, &found);
         compare(what, &question, right, &found);
     }
@@ -134,10 +149,13 @@ static void try_space(const char *name, struct points points,
     points_free(&before);
 }
 
+// No box holds points that are further apart than the largest number.
 static void try_points(const char *name, struct points points)
 {
+    struct space box = wrap_around(points);
     try_space(name, points, (struct space){STANDARD, 1, 1});
-    try_space(name, points, wrap_around(points));
+    if (isfinite(box.width) && isfinite(box.height))
+        try_space(name, points, box);
 }
 
 // ---- the points ----------------------------------------------------
@@ -261,7 +279,8 @@ static void try_case(const struct algorithm *row,
         !same_bits(right->furthest, found.furthest, indices) ||
         !same_bits(right->nearest2, found.nearest2, distances) ||
         !same_bits(right->furthest2, found.furthest2, distances)) {
-        CHECK(false, "%s: the same bits", row->name);
+        CHECK(false, "%s, %s: the same bits", row->name,
+              getenv("NEAR_ISA"));
         compare(row->name, question, right, &found);
     }
     answers_free(&found);
@@ -272,6 +291,7 @@ static void many_small_cases(void)
     uint32_t cases = at_most("MOST_CASES", 100000);
     for (uint64_t seed = 0; seed < cases; seed++) {
         test_seed(seed);
+        take_instructions(seed);
         struct points points = draw_case(seed);
         struct answers right = answers_allocate(points.n);
         for (int g = STANDARD; g <= WRAPAROUND; g++) {
@@ -311,8 +331,9 @@ static void many_points(uint32_t n, const struct algorithm *judge)
                     continue;
                 struct answers found = make_room(n, a->answers);
                 char what[100];
-                snprintf(what, sizeof what, "%s, %" PRIu32 " %s points",
-                         a->name, n, names[d]);
+                snprintf(what, sizeof what,
+                         "%s, %s, %" PRIu32 " %s points", a->name,
+                         take_instructions(d + g + row), n, names[d]);
                 a->run(&question, &found);
                 compare(what, &question, &right, &found);
                 answers_free(&found);
@@ -366,11 +387,12 @@ static void every_point_twice(void)
 }
 
 // Where squares are infinite, or nothing: all distances tie, and every
-// point still has a neighbor.
+// point still has a neighbor. In the end even differences are infinite.
 static void extreme_coordinates(void)
 {
-    static const double scales[] = {1e-320, 1e-300, 1e-160, 1e-154,
-                                    1e150,  1e154,  1e160,  1e300};
+    static const double scales[] = {1e-320, 1e-300, 1e-160,
+                                    1e-154, 1e150,  1e154,
+                                    1e160,  1e300,  1.7e308};
     for (size_t k = 0; k < sizeof scales / sizeof *scales; k++) {
         test_seed(k);
         struct points points =
@@ -378,8 +400,8 @@ static void extreme_coordinates(void)
         char name[40];
         snprintf(name, sizeof name, "uniform times %g", scales[k]);
         for (uint32_t i = 0; i < points.n; i++) {
-            points.x[i] = scales[k] * (points.x[i] - 0.5);
-            points.y[i] = scales[k] * (points.y[i] - 0.5);
+            points.x[i] = scales[k] * (2 * points.x[i] - 1);
+            points.y[i] = scales[k] * (2 * points.y[i] - 1);
         }
         try_points(name, points);
         points_free(&points);

@@ -100,6 +100,10 @@ warns() {
 printf '0 0\n1e300 0\n0 1e300\n' | warns 'far apart' 'far apart' '1 inf 1 inf
 0 inf 0 inf
 0 inf 0 inf'
+printf '%s\n' '-1.7e308 0' '0 -1.7e308' '1.7e308 0' | warns 'as far apart as can be' \
+    'far apart' '1 inf 1 inf
+0 inf 0 inf
+0 inf 0 inf'
 printf '0 0\n1e-300 0\n0 1e-300\n' | warns 'close' 'close together' '1 0 1 0
 0 0 0 0
 0 0 0 0'
