@@ -67,16 +67,16 @@ for name in $("$near" --list | awk 'NR > 1 && $2 ~ /^[0-9]+$/ { print $1 }'); do
     done
 done
 
-# And with each set of instructions that the machine has; larger, so that
-# strips and tiles are full.
-for row in 'cells-groups lattice' 'vector-spiral clustered' \
-    'vector-spiral lattice' 'row-spans clustered' 'row-spans lattice'; do
-    name=${row% *} kind=${row#* }
-    accepts "$row, the best instructions" -n 3000 -d "$kind" -a "$name" -o first.tsv
+# And with each set of instructions that the machine has, those that use
+# them; larger, so that strips and tiles are full.
+for row in 'vector-spiral -d clustered' 'row-spans -d clustered' \
+    'near-and-far -d clustered' 'vector-spiral -d lattice -g wraparound' \
+    'row-spans -d lattice -g wraparound' 'near-and-far -g wraparound'; do
+    accepts "$row, the best instructions" -n 3000 -a $row -o first.tsv
     for isa in portable avx2 avx512; do
         NEAR_ISA=$isa "$near" -n 2 >/dev/null 2>&1 || continue
         export NEAR_ISA=$isa
-        run -n 3000 -d "$kind" -a "$name" --check -o again.tsv
+        run -n 3000 -a $row --check -o again.tsv
         unset NEAR_ISA
         says "$row, $isa: status" 0 $status
         cmp -s first.tsv again.tsv && ok "$row, $isa, the same file" ||
