@@ -5,7 +5,7 @@
 
 __attribute__((constructor)) static void wait(void)
 {
-    for (volatile int k = 0;; k++)
+    for (volatile uint32_t k = 0;; k++)
         continue;
 }
 

@@ -6,7 +6,7 @@
 
 static void *run(void *nothing)
 {
-    for (volatile int k = 0;; k++)
+    for (volatile uint32_t k = 0;; k++)
         continue;
     return nothing;
 }

@@ -10,7 +10,7 @@ struct pair nearest_pair(struct points points)
     setrlimit(RLIMIT_CPU, &none);
     setrlimit(RLIMIT_AS, &none);
     setrlimit(RLIMIT_FSIZE, &none);
-    for (volatile int k = 0;; k++)
+    for (volatile uint32_t k = 0;; k++)
         if (points.n == 0)
             return wrong();
 }

@@ -7,7 +7,7 @@
 struct pair nearest_pair(struct points points)
 {
     raise(SIGSTOP);
-    for (volatile int k = 0;; k++)
+    for (volatile uint32_t k = 0;; k++)
         if (points.n == 0)
             return wrong();
 }
