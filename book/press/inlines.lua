@@ -57,6 +57,14 @@ local function woven(list)
   return result
 end
 
+-- A span that pandoc has not taken for one: [@su][]{.index} is none.
+function inline.Str(x)
+  if x.text:match("{%.%a") then
+    fault(x.text, 'this is printed as it stands: "%s"', x.text)
+  end
+  return x
+end
+
 function inline.Code(x)
   if #x.classes > 0 then
     fault(x.text, 'the class "%s" is unknown for code in a sentence',
