@@ -8,7 +8,7 @@
 
 //> Let eight ask every corner
 // Nobody is further from himself than 0, so all may ask about all.
-enum { ASKING = 8, NOBODY = -1 };
+enum { ASKING = 8, NO_CORNER = -1 };
 
 static void ask_corners(const struct corners *corners, const double *x,
                         const double *y, double *furthest2,
@@ -18,7 +18,7 @@ static void ask_corners(const struct corners *corners, const double *x,
     double most2[ASKING] = {0};
     int64_t corner[ASKING];
     for (int lane = 0; lane < ASKING; lane++)
-        corner[lane] = NOBODY;
+        corner[lane] = NO_CORNER;
     for (uint32_t k = 0; k < n; k++)
         for (int lane = 0; lane < ASKING; lane++) {
             double far2 = distance2(corners->points.x[k] - x[lane],
@@ -53,7 +53,7 @@ static void answer_eight(const struct question *question,
     for (uint32_t lane = 0; lane < asking; lane++) {
         uint32_t i = begin + lane;
         answers->furthest2[i] = furthest2[lane];
-        answers->furthest[i] = furthest[lane] == NOBODY
+        answers->furthest[i] = furthest[lane] == NO_CORNER
                                    ? i == 0
                                    : corners->point[furthest[lane]];
     }
