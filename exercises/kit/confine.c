@@ -54,10 +54,11 @@ bool has_rules(void)
 // ---- rules ---------------------------------------------------------
 
 #if RULES
+// Allows a call if its argument of this number & mask is the value, or
+// always if mask is 0.
 struct rule {
-    uint32_t call;
-    uint32_t argument, mask, value; // allowed if argument & mask ==
-};                                  // value; mask 0: always
+    uint32_t call, argument, mask, value;
+};
 
 static const struct rule computing[] = {
     // memory
