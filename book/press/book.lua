@@ -55,7 +55,7 @@ local function part_of(parts, number)
 end
 
 local function exercises_of(chapter, list)
-  local result = pandoc.List()
+  local result, listed = pandoc.List(), #list
   for _, path in ipairs(job.exercises[chapter.id] or {}) do
     local exercise = exercises.read(job, chapter, path)
     if #result == 0 then
@@ -63,6 +63,9 @@ local function exercises_of(chapter, list)
     end
     if exercise then
       result:extend(exercises.printed(exercise))
+      if #list == listed and listed > 0 then
+        table.insert(list, "\\nextchapterslines")
+      end
       table.insert(list, exercises.line(exercise))
     end
   end
@@ -130,8 +133,13 @@ local function index_of_fragments()
   table.sort(shown, function(a, b)
     return a.title:lower() < b.title:lower()
   end)
-  local lines = { "\\fragmentindex" }
+  local lines, letter = { "\\fragmentindex" }, nil
   for _, fragment in ipairs(shown) do
+    local first = fragment.title:sub(1, 1):lower()
+    if letter and first ~= letter then
+      table.insert(lines, "\\indexspace")
+    end
+    letter = first
     table.insert(lines, ("\\fragmentindexline{frag:%d}{%s}"):format(
       fragment.id, latex.text(fragment.title)))
   end

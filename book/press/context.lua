@@ -6,6 +6,7 @@ local context = {
   book = nil,       -- fragments, labels, references, citations, the job
   here = nil,       -- source, chapter's id, its answers; kind of text
   in_table = false,
+  in_title = false, -- which has no links: it is a link in the contents
   caption = nil,    -- the label of the table or figure it belongs to
 }
 
@@ -93,6 +94,15 @@ function context.crossref(label)
   local kind = kinds[label:match("^(%a+):")]
   if label:match("^ch:appendix") then kind = "Appendix" end
   return kind and ("\\crossref{%s}{%s}"):format(kind, label)
+end
+
+function context.is_chapter(label)
+  for _, path in ipairs(context.book.job.chapters) do
+    if label == "ch:" .. path:match("([^/]*)$"):match("^ch%d%d") then
+      return true
+    end
+  end
+  return false
 end
 
 -- A reference if the key is one of ours, nil if it is literature.

@@ -38,8 +38,36 @@ local function begins(list, i)
     and last and last.t == "Str" and last.text:match("[.?!]\"?$") ~= nil
 end
 
+-- "chapter 4" is a link and stays on one line, if the book has one.
+local function with_chapters_linked(list)
+  if context.in_title then return list end
+  local result = pandoc.List()
+  for _, x in ipairs(list) do
+    local word, space = result[#result - 1], result[#result]
+    local bracket, chapter, number, rest
+    if x.t == "Str" and space and space.t == "Space"
+      and word and word.t == "Str" then
+      bracket, chapter = word.text:match("^(%(?)([Cc]hapter)$")
+      number, rest = x.text:match("^(%d+)(.*)$")
+    end
+    local label = chapter and number
+      and ("ch:ch%02d"):format(math.tointeger(number))
+    if label and context.is_chapter(label) then
+      result:remove()
+      result:remove()
+      if bracket ~= "" then result:insert(pandoc.Str(bracket)) end
+      result:insert(raw(("\\crossref{%s}{%s}"):format(chapter, label)))
+      if rest ~= "" then result:insert(pandoc.Str(rest)) end
+    else
+      result:insert(x)
+    end
+  end
+  return result
+end
+
 local function woven(list)
   local result = pandoc.List()
+  list = with_chapters_linked(list)
   for i, x in ipairs(list) do
     local handler = inline[x.t]
     if is_tie(list, i) then

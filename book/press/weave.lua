@@ -145,7 +145,9 @@ function block.Header(x)
       fault("." .. class, 'the class "%s" is unknown for a title', class)
     end
   end
+  context.in_title = true
   local text = inlines.paragraph(x.content)
+  context.in_title = false
   local place = mark(here.source.cursor)
   local command = here.exercise and "exercisehead"
     or titles[here.front and "front" or kind][x.level]
