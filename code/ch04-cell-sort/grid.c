@@ -54,18 +54,35 @@ void axis_free(struct axis *axis)
 }
 
 //> Find the box of the points
+// Several at a time: each comparison waits for the last of its own
+// lane only.
+enum { LANES = 16 };
+
 static void extent(const double *values, uint32_t n, int threads,
                    double *low, double *high)
 {
-    double least = values[0], most = values[0];
-#pragma omp parallel num_threads(threads)
-#pragma omp for reduction(min : least) reduction(max : most)
-    for (uint32_t i = 1; i < n; i++) {
-        least = values[i] < least ? values[i] : least;
-        most = values[i] > most ? values[i] : most;
+    double least[LANES], most[LANES];
+    for (int k = 0; k < LANES; k++)
+        least[k] = most[k] = values[0];
+    const uint32_t whole = n - n % LANES;
+#pragma omp parallel for num_threads(threads) \
+    reduction(min : least) reduction(max : most)
+    for (uint32_t i = 0; i < whole; i += LANES)
+        for (int k = 0; k < LANES; k++) {
+            double value = values[i + k];
+            least[k] = value < least[k] ? value : least[k];
+            most[k] = value > most[k] ? value : most[k];
+        }
+    for (uint32_t i = whole; i < n; i++) {
+        least[0] = values[i] < least[0] ? values[i] : least[0];
+        most[0] = values[i] > most[0] ? values[i] : most[0];
     }
-    *low = least;
-    *high = most;
+    *low = least[0];
+    *high = most[0];
+    for (int k = 1; k < LANES; k++) {
+        *low = fmin(*low, least[k]);
+        *high = fmax(*high, most[k]);
+    }
 }
 //<
 
