@@ -2,6 +2,7 @@
 // The program near: gets points, has an algorithm of the book answer
 // for all of them, and writes the answers, the times, or a summary.
 #include "algorithms.h"
+#include "ch09-row-spans/keep.h"
 #include "common/clock.h"
 #include "common/fail.h"
 #include "near_check.h"
@@ -308,6 +309,7 @@ static int near(const struct options *options)
 int main(int argc, char **argv)
 {
     fail_as("near", write_abandon);
+    memory_keep(true);
     insist_on_output();
     struct options options = parse_options(argc, argv);
     int status = 0;

@@ -18,4 +18,5 @@ set label "L3" at l3_max,graph 0.05 offset 0.6
 set key top left
 plot table using "n":"spiral":"spiral_q1":"spiral_q3" with yerrorlines lt 3 title "spiral", \
      "" using "n":"cells":"cells_q1":"cells_q3" with yerrorlines lt 2 title "cells", \
-     "" using "n":"spans":"spans_q1":"spans_q3" with yerrorlines lt 1 title "row spans"
+     "" using "n":"spans":"spans_q1":"spans_q3" with yerrorlines lt 1 title "row spans", \
+     "" using "n":"kept":"kept_q1":"kept_q3" with yerrorlines lt 4 title "row spans, kept"

@@ -3,8 +3,7 @@
 #include "ch09-row-spans/avx512_spans.h"
 #include "common/isa.h"
 #ifdef HAVE_X86_VECTORS
-#include "ch09-row-spans/tile.h"
-#include <immintrin.h>
+#include "ch09-row-spans/avx512_window.h"
 
 //> Stage eight with a mask
 USE_AVX512
@@ -34,59 +33,26 @@ INLINED void stage(const struct sorted *sorted, uint32_t begin,
 }
 //<
 
-//> Show two candidates to eight
-// Lanes 2 q and 2 q + 1 are for who asks as number q, and show him a
-// candidate each.
-struct two {
-    __m512 best, second;
-};
-
+//> See near with sixteen floats
 USE_AVX512
-INLINED void keep_two(struct two *two, __m512 d2)
+INLINED __m512 see_near(const struct wide_eye *eye, __m512 dx,
+                        __m512 dy)
 {
-    __m512 loser = _mm512_max_ps(two->best, d2);
-    two->best = _mm512_min_ps(two->best, d2);
-    two->second = _mm512_min_ps(two->second, loser);
+    (void)eye;
+    return _mm512_fmadd_ps(dx, dx, _mm512_mul_ps(dy, dy));
 }
 
 USE_AVX512
-INLINED __m512 pair_from(const float *from)
+INLINED uint32_t glance(const enum geometry geometry,
+                        struct space space, const struct sorted *sorted,
+                        const struct window *window,
+                        const struct tile *tile, struct reply *reply)
 {
-    int64_t bits;
-    memcpy(&bits, from, sizeof bits);
-    return _mm512_castsi512_ps(_mm512_set1_epi64(bits));
-}
-
-USE_AVX512
-INLINED __m512 numbered(const struct table *table, uint32_t k,
-                        __m512i number, __m512 x, __m512 y)
-{
-    enum { FIRST_WITHOUT_SECOND_OR_THIRD = 0xba };
-    __m512 dx = _mm512_sub_ps(pair_from(table->x + k), x);
-    __m512 dy = _mm512_sub_ps(pair_from(table->y + k), y);
-    __m512 d2 =
-        _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy));
-    return _mm512_castsi512_ps(_mm512_ternarylogic_epi32(
-        _mm512_castps_si512(d2), _mm512_set1_epi32(NUMBER_BITS), number,
-        FIRST_WITHOUT_SECOND_OR_THIRD));
-}
-//<
-
-//> Join the two halves
-USE_AVX512
-INLINED void join(const struct two *two, struct sieve *sieve)
-{
-    const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 0,
-                                           2, 4, 6, 8, 10, 12, 14);
-    const __m512i odd = _mm512_add_epi32(even, _mm512_set1_epi32(1));
-    struct two joined = {_mm512_permutexvar_ps(even, two->best),
-                         _mm512_permutexvar_ps(even, two->second)};
-    keep_two(&joined, _mm512_permutexvar_ps(odd, two->best));
-    joined.second = _mm512_min_ps(
-        joined.second, _mm512_permutexvar_ps(odd, two->second));
-    _mm256_storeu_ps(sieve->best, _mm512_castps512_ps256(joined.best));
-    _mm256_storeu_ps(sieve->second,
-                     _mm512_castps512_ps256(joined.second));
+    struct sieve sieve;
+    sweep_wide(see_near, space, sorted, window, tile, &sieve);
+    return reply_to_eight(settle, geometry, space,
+                          near_slack(tile->reach), sorted, window, tile,
+                          &sieve, reply);
 }
 //<
 
@@ -94,30 +60,21 @@ INLINED void join(const struct two *two, struct sieve *sieve)
 USE_AVX512
 INLINED void sift(const struct table *table, struct sieve *sieve)
 {
-    const __m512i twice = _mm512_setr_epi32(0, 0, 1, 1, 2, 2, 3, 3, 4,
-                                            4, 5, 5, 6, 6, 7, 7);
-    const __m512 x = _mm512_permutexvar_ps(
-        twice, _mm512_castps256_ps512(_mm256_loadu_ps(table->x)));
-    const __m512 y = _mm512_permutexvar_ps(
-        twice, _mm512_castps256_ps512(_mm256_loadu_ps(table->y)));
-    const __m512 far2 = _mm512_set1_ps(FAR2);
-    const __m512i more = _mm512_set1_epi32(2);
-    __m512i number = _mm512_setr_epi32(0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0,
-                                       1, 0, 1, 0, 1);
-    struct two two = {far2, far2};
-    uint32_t k = 0;
-    for (; k < ASKING; k += 2) {
-        __mmask16 self = _mm512_cmpeq_epi32_mask(twice, number);
-        __m512 d2 = numbered(table, k, number, x, y);
-        keep_two(&two, _mm512_mask_mov_ps(d2, self, far2));
-        number = _mm512_add_epi32(number, more);
+    struct wide_eye eye =
+        wide_eye_for((struct space){0}, table->x, table->y);
+    uint32_t number[2] = {0, 1};
+    for (uint32_t k = 0; k < ASKING; k += 2) {
+        number[0] = k, number[1] = k + 1;
+        __m512 seen = glance_at_two(see_near, &eye, table->x + k,
+                                    table->y + k, number);
+        keep_wide(&eye.wide, nobody_self(seen, k));
     }
-    while (k < table->count)
-        for (int step = 0; step < STEPS; step += 2, k += 2) {
-            keep_two(&two, numbered(table, k, number, x, y));
-            number = _mm512_add_epi32(number, more);
-        }
-    join(&two, sieve);
+    for (uint32_t k = ASKING; k < table->count; k += 2) {
+        number[0] = k, number[1] = k + 1;
+        keep_wide(&eye.wide, glance_at_two(see_near, &eye, table->x + k,
+                                           table->y + k, number));
+    }
+    join(&eye.wide, sieve);
 }
 //<
 
@@ -187,17 +144,27 @@ INLINED void meet(const enum geometry geometry, struct space space,
 }
 //<
 
+//> Go by windows with AVX-512
 USE_AVX512
 void avx512_spans(const struct question *question,
                   const struct sorted *sorted, enum manner manner,
-                  uint32_t begin, uint32_t end, struct answers *found)
+                  const struct visit *visit, uint32_t begin,
+                  uint32_t end, struct answers *found)
 {
-    if (question->space.geometry == STANDARD)
-        go(STANDARD, stage, sift, meet, question->space, sorted, manner,
+    const struct space space = question->space;
+    if (manner == TOGETHER && space.geometry == STANDARD)
+        go_by_windows(STANDARD, stage, sift, frame, glance, meet, space,
+                      sorted, visit, begin, end, found);
+    else if (manner == TOGETHER)
+        go_by_windows(WRAPAROUND, stage, sift, frame, glance, meet,
+                      space, sorted, visit, begin, end, found);
+    else if (space.geometry == STANDARD)
+        go(STANDARD, stage, sift, meet, space, sorted, manner, visit,
            begin, end, found);
     else
-        go(WRAPAROUND, stage, sift, meet, question->space, sorted,
-           manner, begin, end, found);
+        go(WRAPAROUND, stage, sift, meet, space, sorted, manner, visit,
+           begin, end, found);
 }
+//<
 #endif
 //<

@@ -2,13 +2,15 @@
 // The whole time a point, sort and all, of the spiral search, of
 // chapter 4's best and of row spans, on one thread, from a thousand
 // points on; how many points fill the caches, if a search needs what
-// row spans keep of a point; and how many pages of memory row spans
-// give back to the system with every run and get again in the next.
+// row spans keep of a point; how many pages of memory row spans give
+// back to the system with every run and get again in the next; and what
+// they take if the memory is kept.
 //
 //     heights [MOST]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
 #include "ch06-pack-scan/caches.h"
+#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
@@ -36,6 +38,15 @@ static long pages_again(struct search *search)
     return after.ru_minflt - before.ru_minflt;
 }
 
+static void print_kept(struct search *search, struct trial trial)
+{
+    memory_keep(true);
+    time_in_turn(5, &trial, 1);
+    print_summary(&trial.summary, search->question.points.n);
+    printf("\t%ld\n", pages_again(search));
+    memory_keep(false);
+}
+
 // Large sets take long, and differ little. What allocates much runs
 // once before it is timed; the spiral, long and without such arrays,
 // need not.
@@ -59,7 +70,8 @@ static void print_size(uint32_t n)
            caches.l3 / BYTES_KEPT);
     for (int k = 0; k < SEARCHES; k++)
         print_summary(&trial[k].summary, n);
-    printf("\t%ld\n", pages_again(&search[SEARCHES - 1]));
+    printf("\t%ld", pages_again(&search[SEARCHES - 1]));
+    print_kept(&search[SEARCHES - 1], trial[SEARCHES - 1]);
     fflush(stdout);
     answers_free(&answers);
     points_free(&question.points);
@@ -73,7 +85,9 @@ int main(int argc, char **argv)
     printf("name\tn\tl2_points\tl3_points");
     for (int k = 0; k < SEARCHES; k++)
         print_summary_columns(searches[k].name);
-    puts("\tpages");
+    printf("\tpages");
+    print_summary_columns("kept");
+    puts("\tpages_kept");
     for (uint64_t n = 1000; n <= most; n *= 10)
         for (int third = 0; third < 2; third++)
             if ((third ? 3 * n : n) <= most)

@@ -64,13 +64,14 @@ INLINED void meet(const enum geometry geometry, struct space space,
 
 void portable_spans(const struct question *question,
                     const struct sorted *sorted, enum manner manner,
-                    uint32_t begin, uint32_t end, struct answers *found)
+                    const struct visit *visit, uint32_t begin,
+                    uint32_t end, struct answers *found)
 {
     if (question->space.geometry == STANDARD)
         go(STANDARD, stage, sift, meet, question->space, sorted, manner,
-           begin, end, found);
+           visit, begin, end, found);
     else
         go(WRAPAROUND, stage, sift, meet, question->space, sorted,
-           manner, begin, end, found);
+           manner, visit, begin, end, found);
 }
 //<

@@ -8,10 +8,12 @@
 #include "common/clock.h"
 #include "common/isa.h"
 #include <assert.h>
+#include <stddef.h>
 
 #ifdef COUNTING
 #define search_row_spans counting_search_row_spans
 #define search_in_turns counting_search_in_turns
+#define search_and_visit counting_search_and_visit
 #endif
 
 //> Choose the instruction set of the search
@@ -34,14 +36,16 @@ static span_search *search_for(enum isa isa)
 static void take_turn(span_search *search,
                       const struct question *question,
                       const struct sorted *sorted, enum manner manner,
-                      uint32_t begin, uint32_t end,
-                      struct answers *answers)
+                      const struct visit *visit, uint32_t begin,
+                      uint32_t end, struct answers *answers)
 {
     uint32_t nearest[LONGEST_TURN];
     double nearest2[LONGEST_TURN];
     struct answers found = {.nearest = nearest, .nearest2 = nearest2};
     const uint32_t *point = sorted->cells.point;
-    search(question, sorted, manner, begin, end, &found);
+    search(question, sorted, manner, visit, begin, end, &found);
+    if (!answers->nearest)
+        return;
     for (uint32_t s = begin; s < end; s++) {
         answers->nearest[point[s]] = nearest[s - begin];
         answers->nearest2[point[s]] = nearest2[s - begin];
@@ -51,9 +55,10 @@ static void take_turn(span_search *search,
 
 //> Take turns
 // A crowded cell is many turns, for all threads.
-void search_in_turns(const struct question *question,
-                     const struct sorted *sorted, enum manner manner,
-                     uint32_t length, struct answers *answers)
+static void take_turns(const struct question *question,
+                       const struct sorted *sorted, enum manner manner,
+                       const struct visit *visit, uint32_t length,
+                       struct answers *answers)
 {
     assert(1 <= length && length <= LONGEST_TURN &&
            "a turn keeps its answers");
@@ -63,17 +68,33 @@ void search_in_turns(const struct question *question,
     schedule(dynamic)
     for (uint32_t turn = 0; turn < turns; turn++) {
         uint32_t begin = turn * length, left = n - begin;
-        take_turn(search, question, sorted, manner, begin,
+        take_turn(search, question, sorted, manner, visit, begin,
                   begin + (left < length ? left : length), answers);
     }
 }
 //<
 
+void search_in_turns(const struct question *question,
+                     const struct sorted *sorted, enum manner manner,
+                     uint32_t length, struct answers *answers)
+{
+    take_turns(question, sorted, manner, NULL, length, answers);
+}
+
 void search_row_spans(const struct question *question,
                       const struct sorted *sorted, enum manner manner,
                       struct answers *answers)
 {
-    search_in_turns(question, sorted, manner, LONGEST_TURN, answers);
+    take_turns(question, sorted, manner, NULL, LONGEST_TURN, answers);
+}
+
+void search_and_visit(const struct question *question,
+                      const struct sorted *sorted,
+                      const struct visit *visit,
+                      struct answers *answers)
+{
+    take_turns(question, sorted, TOGETHER, visit, LONGEST_TURN,
+               answers);
 }
 
 void row_spans(const struct question *question, struct answers *answers)

@@ -28,6 +28,17 @@ void search_in_turns(const struct question *question,
                      const struct sorted *sorted, enum manner manner,
                      uint32_t length, struct answers *answers);
 
+// Together, with a visit to every tile. The nearest are left where they
+// are found if their arrays are NULL.
+void search_and_visit(const struct question *question,
+                      const struct sorted *sorted,
+                      const struct visit *visit,
+                      struct answers *answers);
+void counting_search_and_visit(const struct question *question,
+                               const struct sorted *sorted,
+                               const struct visit *visit,
+                               struct answers *answers);
+
 // The first's counting twin, for whoever sorts in a way of his own:
 // take the counts with counting_take.
 void counting_search_row_spans(const struct question *question,

@@ -52,7 +52,7 @@ static void by_sorted(void *context)
 static void by_spans(void *context)
 {
     struct steps *s = context;
-    portable_spans(&s->question, &s->two, ALONE, 0,
+    portable_spans(&s->question, &s->two, ALONE, NULL, 0,
                    s->question.points.n, &s->answers);
 }
 

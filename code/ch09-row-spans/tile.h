@@ -233,6 +233,12 @@ static inline void put(struct answers *found, uint32_t k,
     found->nearest2[k] = nearest2;
 }
 
+// How far two squared distances can be off, besides 2^-12 of the less.
+INLINED float near_slack(double reach)
+{
+    return (float)(reach * reach) * 0x1p-27f;
+}
+
 //> Answer those who are sure
 // The rest ask alone.
 INLINED void answer(const enum geometry geometry, meet_function *meet,
@@ -242,7 +248,7 @@ INLINED void answer(const enum geometry geometry, meet_function *meet,
 {
     const double *x = sorted->points.x, *y = sorted->points.y;
     const uint32_t *point = sorted->cells.point;
-    const float slack = (float)(tile->reach * tile->reach) * 0x1p-27f;
+    const float slack = near_slack(tile->reach);
     double margin2[ASKING];
     find_margins(geometry, sorted, tile, margin2);
     for (uint32_t lane = 0; lane < tile->width; lane++) {
@@ -293,7 +299,8 @@ INLINED void ask_together(const enum geometry geometry,
 INLINED void go_along(const enum geometry geometry,
                       stage_function *stage, sift_function *sift,
                       meet_function *meet, struct space space,
-                      const struct sorted *sorted, uint32_t begin,
+                      const struct sorted *sorted,
+                      const struct visit *visit, uint32_t begin,
                       uint32_t end, struct answers *found)
 {
     const struct grid *grid = &sorted->grid;
@@ -311,6 +318,8 @@ INLINED void go_along(const enum geometry geometry,
         tile.width = tile.width < ASKING ? tile.width : ASKING;
         ask_together(geometry, stage, sift, meet, space, sorted, &tile,
                      found);
+        if (visit)
+            visit->tile(visit->context, NULL, &tile);
     }
 }
 //<
@@ -319,12 +328,12 @@ INLINED void go_along(const enum geometry geometry,
 INLINED void go(const enum geometry geometry, stage_function *stage,
                 sift_function *sift, meet_function *meet,
                 struct space space, const struct sorted *sorted,
-                enum manner manner, uint32_t begin, uint32_t end,
-                struct answers *found)
+                enum manner manner, const struct visit *visit,
+                uint32_t begin, uint32_t end, struct answers *found)
 {
     if (manner == TOGETHER)
-        go_along(geometry, stage, sift, meet, space, sorted, begin, end,
-                 found);
+        go_along(geometry, stage, sift, meet, space, sorted, visit,
+                 begin, end, found);
     else
         for (uint32_t s = begin; s < end; s++) {
             struct single single = ask_alone(

@@ -64,28 +64,21 @@ typedef void frame_function(const struct sorted *sorted,
                             struct span span, double x, double y,
                             struct frame *frame);
 
-// Finds the two smallest for every one of those who ask.
-typedef void glance_function(const struct window *window,
-                             const struct glance *glance,
-                             struct sieve *sieve);
-
 //> Reply to all who ask
 struct reply {
-    double near2[ASKING];
+    double d2[ASKING];
     uint32_t who[ASKING];
-    float slack;
 };
 
-// Computes the distances of those whom the sieve names, and returns a
-// bit for each who asks: whether he is sure. Reads coordinates of eight
-// points from the tile's first on.
-typedef uint32_t reply_function(const enum geometry geometry,
-                                struct space space,
-                                const struct sorted *sorted,
-                                const struct tile *tile,
-                                const struct window *window,
-                                const struct sieve *sieve,
-                                struct reply *reply);
+// Finds the candidates of a tile that are best for those who ask, and
+// returns a bit for each: whether he is sure. Reads coordinates of
+// eight points from the tile's first on.
+typedef uint32_t glance_function(const enum geometry geometry,
+                                 struct space space,
+                                 const struct sorted *sorted,
+                                 const struct window *window,
+                                 const struct tile *tile,
+                                 struct reply *reply);
 //<
 
 //> Open a window
@@ -129,55 +122,49 @@ INLINED bool open_window(const enum geometry geometry,
 //<
 
 //> Point to the spans of a tile
-INLINED void point_out(const struct sorted *sorted,
-                       const struct window *window,
-                       const struct tile *tile, struct glance *glance)
+INLINED struct glance point_out(const struct sorted *sorted,
+                                const struct window *window,
+                                const struct tile *tile)
 {
     const struct reach *x = &tile->block.x;
+    struct glance glance;
     uint32_t shown = 0;
     for (uint32_t k = 0; k < ROWS; k++) {
         struct span span = span_of(sorted, tile->row + k, x->first,
                                    x->first + x->count - 1);
         uint32_t shift = SPILLED - window->frame[k].begin;
-        glance->begin[k] = span.begin + shift;
-        glance->end[k] = span.end + shift;
+        glance.begin[k] = span.begin + shift;
+        glance.end[k] = span.end + shift;
         shown += span.end - span.begin;
     }
-    glance->own = tile->begin + SPILLED - window->frame[1].begin;
+    glance.own = tile->begin + SPILLED - window->frame[1].begin;
     COUNT(distances, (uint64_t)(shown - tile->width + ASKING) * ASKING);
     (void)shown;
+    return glance;
 }
 //<
 
 //> Ask through a window
 // Those who are not sure ask alone.
 INLINED void ask_window(const enum geometry geometry,
-                        glance_function *sweep, reply_function *reply,
-                        meet_function *meet, struct space space,
-                        const struct sorted *sorted,
+                        glance_function *glance, meet_function *meet,
+                        struct space space, const struct sorted *sorted,
                         const struct window *window,
                         const struct tile *tile, struct answers *found)
 {
-    const uint32_t k = tile->begin - tile->first;
-    const float slack = (float)(tile->reach * tile->reach) * 0x1p-27f;
-    struct glance glance;
-    struct sieve sieve;
-    struct reply here;
-    here.slack = slack;
-    point_out(sorted, window, tile, &glance);
-    sweep(window, &glance, &sieve);
+    const uint32_t k = tile->begin - tile->first, width = tile->width;
+    struct reply reply;
     uint32_t sure =
-        reply(geometry, space, sorted, tile, window, &sieve, &here);
-    const uint32_t width = tile->width;
+        glance(geometry, space, sorted, window, tile, &reply);
     if (width == ASKING) {
-        memcpy(found->nearest2 + k, here.near2, sizeof here.near2);
-        memcpy(found->nearest + k, here.who, sizeof here.who);
+        memcpy(found->nearest2 + k, reply.d2, sizeof reply.d2);
+        memcpy(found->nearest + k, reply.who, sizeof reply.who);
         if (sure == (1 << ASKING) - 1)
             return;
     }
-    memcpy(found->nearest2 + k, here.near2, width * sizeof(double));
-    memcpy(found->nearest + k, here.who, width * sizeof(uint32_t));
-    for (uint32_t lane = 0; lane < tile->width; lane++)
+    memcpy(found->nearest2 + k, reply.d2, width * sizeof(double));
+    memcpy(found->nearest + k, reply.who, width * sizeof(uint32_t));
+    for (uint32_t lane = 0; lane < width; lane++)
         if (!(sure >> lane & 1)) {
             struct single single =
                 ask_alone(geometry, meet, true, space, sorted,
@@ -188,70 +175,114 @@ INLINED void ask_window(const enum geometry geometry,
 //<
 
 //> Go from tile to tile of a window
-// If it is not open, each takes a table.
-INLINED void go_through(const enum geometry geometry,
-                        stage_function *stage, sift_function *sift,
-                        glance_function *sweep, reply_function *reply,
-                        meet_function *meet, struct space space,
-                        const struct sorted *sorted,
-                        const struct window *window, bool open,
-                        uint32_t first, struct answers *found)
+// Begins before the first; false when there are no more.
+INLINED bool next_tile(const struct sorted *sorted,
+                       const struct window *window, struct tile *tile)
 {
-    const struct grid *grid = &sorted->grid;
-    const uint32_t end = window->begin + window->width;
+    const struct axis *across = &sorted->grid.x;
+    tile->begin += tile->width;
+    const uint32_t left = window->begin + window->width - tile->begin;
+    if (left == 0)
+        return false;
+    const double *x = sorted->points.x + tile->begin;
+    tile->width = left < ASKING ? left : ASKING;
+    tile->block.x =
+        axis_reach(across, axis_cell(across, x[0]),
+                   axis_cell(across, x[tile->width - 1]), 1);
+    return true;
+}
+
+INLINED struct tile before_tiles(const struct sorted *sorted,
+                                 const struct window *window,
+                                 uint32_t first)
+{
     struct tile tile = {.begin = window->begin,
                         .row = window->row,
                         .first = first,
                         .reach = window->reach};
-    tile.block.y = axis_reach(&grid->y, tile.row, tile.row, 1);
-    for (; tile.begin < end; tile.begin += ASKING) {
-        const double *x = sorted->points.x + tile.begin;
-        uint32_t left = end - tile.begin;
-        tile.width = left < ASKING ? left : ASKING;
-        tile.block.x =
-            axis_reach(&grid->x, axis_cell(&grid->x, x[0]),
-                       axis_cell(&grid->x, x[tile.width - 1]), 1);
-        if (open && sorted->points.n - tile.begin >= ASKING) {
-            ask_window(geometry, sweep, reply, meet, space, sorted,
-                       window, &tile, found);
-        } else {
-            struct tile alone = tile;
-            ask_together(geometry, stage, sift, meet, space, sorted,
-                         &alone, found);
-        }
-    }
+    tile.block.y = axis_reach(&sorted->grid.y, tile.row, tile.row, 1);
+    return tile;
+}
+
+// Whether there are eight to be read.
+INLINED bool tile_is_whole(const struct sorted *sorted,
+                           const struct tile *tile)
+{
+    return sorted->points.n - tile->begin >= ASKING;
 }
 //<
 
 //> Go from window to window
-// A window ends where its row ends.
+// A window ends where its row ends. With wraparound, a row begins and
+// ends with a short one: so little is near the seam.
+INLINED uint32_t window_width(const enum geometry geometry,
+                              uint32_t before, uint32_t left)
+{
+    if (geometry == WRAPAROUND && (before == 0 || left <= ASKING))
+        return left < ASKING ? left : ASKING;
+    if (geometry == WRAPAROUND && left < WINDOW + ASKING)
+        return left - ASKING;
+    return left < WINDOW ? left : WINDOW;
+}
+
+INLINED bool next_window(const enum geometry geometry,
+                         const struct sorted *sorted, uint32_t end,
+                         struct window *window)
+{
+    const uint32_t columns = sorted->grid.x.count;
+    const uint32_t *start = sorted->cells.start;
+    window->begin += window->width;
+    if (window->begin == end)
+        return false;
+    while (start[(window->row + 1) * columns] <= window->begin)
+        window->row++;
+    const uint32_t *row = start + window->row * columns;
+    uint32_t stop = row[columns] < end ? row[columns] : end;
+    window->width = window_width(geometry, window->begin - row[0],
+                                 stop - window->begin);
+    return true;
+}
+
+INLINED void before_windows(const struct sorted *sorted, uint32_t begin,
+                            struct window *window)
+{
+    window->begin = begin;
+    window->width = 0;
+    window->row = axis_cell(&sorted->grid.y, sorted->points.y[begin]);
+    for (uint32_t k = 0; k < ROWS * FRAME + SPILLED; k++)
+        window->number[k] = k;
+}
+//<
+
+//> Go by windows
+// Where a window is not open, each tile takes a table.
 INLINED void go_by_windows(const enum geometry geometry,
                            stage_function *stage, sift_function *sift,
                            frame_function *frame,
-                           glance_function *sweep,
-                           reply_function *reply, meet_function *meet,
+                           glance_function *glance, meet_function *meet,
                            struct space space,
-                           const struct sorted *sorted, uint32_t begin,
+                           const struct sorted *sorted,
+                           const struct visit *visit, uint32_t begin,
                            uint32_t end, struct answers *found)
 {
-    const struct axis *up = &sorted->grid.y;
-    const uint32_t columns = sorted->grid.x.count;
     struct window window;
-    window.begin = begin;
-    window.row = axis_cell(up, sorted->points.y[begin]);
-    for (uint32_t k = 0; k < ROWS * FRAME + SPILLED; k++)
-        window.number[k] = k;
-    for (; window.begin < end; window.begin += window.width) {
-        uint32_t stop;
-        while (
-            (stop = sorted->cells.start[(window.row + 1) * columns]) <=
-            window.begin)
-            window.row++;
-        window.width = (stop < end ? stop : end) - window.begin;
-        window.width = window.width < WINDOW ? window.width : WINDOW;
+    before_windows(sorted, begin, &window);
+    while (next_window(geometry, sorted, end, &window)) {
         bool open = open_window(geometry, frame, sorted, &window);
-        go_through(geometry, stage, sift, sweep, reply, meet, space,
-                   sorted, &window, open, begin, found);
+        struct tile tile = before_tiles(sorted, &window, begin);
+        while (next_tile(sorted, &window, &tile)) {
+            struct tile copy = tile; // so tile can stay in registers
+            bool ready = open && tile_is_whole(sorted, &tile);
+            if (ready)
+                ask_window(geometry, glance, meet, space, sorted,
+                           &window, &tile, found);
+            else
+                ask_together(geometry, stage, sift, meet, space, sorted,
+                             &copy, found);
+            if (visit)
+                visit->tile(visit->context, ready ? &window : NULL,
+                            &copy);
+        }
     }
 }
 //<

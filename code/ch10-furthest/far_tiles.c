@@ -4,20 +4,28 @@
 // squared distance there is. We call that their loss; the furthest
 // point has the least.
 #include "ch10-furthest/far_tiles.h"
-#include "ch09-row-spans/tile.h"
+#include "ch09-row-spans/row_spans.h"
+#include "ch09-row-spans/window.h"
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/outside.h"
+#include "common/fail.h"
 #include "common/isa.h"
 #ifdef HAVE_X86_VECTORS
-#include <immintrin.h>
+#include "ch09-row-spans/avx512_window.h"
 #endif
 
-// Finds the two least losses for each of the first eight in the table,
-// of whom so many ask. Nobody meets himself.
-typedef void loss_function(const struct table *table, uint32_t width,
+#ifdef COUNTING
+#define search_and_visit counting_search_and_visit
+#endif
+
+// Finds the two least losses for each of the first eight in the table.
+// Nobody meets himself.
+typedef void loss_function(const struct table *table,
                            struct space space, struct sieve *sieve);
 
 //> Show a candidate's losses to eight
+// Nobody, who stands at FAR, must not seem to be near: his loss is
+// huge, but less than 0.
 INLINED void show_losses(const struct table *table, uint32_t k,
                          float across, float up, struct sieve *s)
 {
@@ -25,7 +33,7 @@ INLINED void show_losses(const struct table *table, uint32_t k,
     for (uint32_t lane = 0; lane < ASKING; lane++) {
         float dx = fabsf(table->x[k] - table->x[lane]);
         float dy = fabsf(table->y[k] - table->y[lane]);
-        float loss = dx * (across - dx) + dy * (up - dy);
+        float loss = fabsf(dx * (across - dx) + dy * (up - dy));
         uint32_t bits;
         memcpy(&bits, &loss, sizeof bits);
         bits = (bits & ~(uint32_t)NUMBER_BITS) | k;
@@ -40,87 +48,17 @@ INLINED void show_losses(const struct table *table, uint32_t k,
 //<
 
 //> Sift losses in plain C
-static void sift_losses(const struct table *table, uint32_t width,
-                        struct space space, struct sieve *sieve)
+static void sift_losses(const struct table *table, struct space space,
+                        struct sieve *sieve)
 {
     const float across = (float)(2 * space.width);
     const float up = (float)(2 * space.height);
     struct sieve s;
     for (int lane = 0; lane < ASKING; lane++)
         s.best[lane] = s.second[lane] = FAR2;
-    for (uint32_t k = 0; k < width; k++)
-        show_losses(table, k, across, up, &s);
-    for (uint32_t k = ASKING; k < table->count; k++)
+    for (uint32_t k = 0; k < table->count; k++)
         show_losses(table, k, across, up, &s);
     *sieve = s;
-}
-//<
-
-//> Sift losses with AVX2
-#ifdef HAVE_X86_VECTORS
-struct losses {
-    __m256 x, y, across, up, best, second;
-};
-
-USE_AVX2
-INLINED __m256 losses_of(const struct losses *l,
-                         const struct table *table, uint32_t k)
-{
-    const __m256 sign = _mm256_set1_ps(-0.0F);
-    __m256 dx = _mm256_andnot_ps(
-        sign, _mm256_sub_ps(_mm256_broadcast_ss(table->x + k), l->x));
-    __m256 dy = _mm256_andnot_ps(
-        sign, _mm256_sub_ps(_mm256_broadcast_ss(table->y + k), l->y));
-    __m256 loss =
-        _mm256_fmadd_ps(dx, _mm256_sub_ps(l->across, dx),
-                        _mm256_mul_ps(dy, _mm256_sub_ps(l->up, dy)));
-    return _mm256_castsi256_ps(_mm256_blendv_epi8(
-        _mm256_castps_si256(loss), _mm256_set1_epi32((int)k),
-        _mm256_set1_epi32(NUMBER_BITS)));
-}
-
-USE_AVX2
-INLINED void losses_keep(struct losses *l, __m256 loss)
-{
-    __m256 loser = _mm256_max_ps(l->best, loss);
-    l->best = _mm256_min_ps(l->best, loss);
-    l->second = _mm256_min_ps(l->second, loser);
-}
-
-USE_AVX2
-static void sift_losses_avx2(const struct table *table, uint32_t width,
-                             struct space space, struct sieve *sieve)
-{
-    const __m256 far2 = _mm256_set1_ps(FAR2);
-    const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-    struct losses l = {_mm256_loadu_ps(table->x),
-                       _mm256_loadu_ps(table->y),
-                       _mm256_set1_ps((float)(2 * space.width)),
-                       _mm256_set1_ps((float)(2 * space.height)),
-                       far2,
-                       far2};
-    for (uint32_t k = 0; k < width; k++) {
-        __m256i self =
-            _mm256_cmpeq_epi32(lane, _mm256_set1_epi32((int)k));
-        losses_keep(&l, _mm256_blendv_ps(losses_of(&l, table, k), far2,
-                                         _mm256_castsi256_ps(self)));
-    }
-    for (uint32_t k = ASKING; k < table->count; k++)
-        losses_keep(&l, losses_of(&l, table, k));
-    _mm256_storeu_ps(sieve->best, l.best);
-    _mm256_storeu_ps(sieve->second, l.second);
-}
-#endif
-//<
-
-//> Choose how to sift losses
-static loss_function *loss_sift(void)
-{
-#ifdef HAVE_X86_VECTORS
-    if (isa_chosen() != PORTABLE)
-        return sift_losses_avx2;
-#endif
-    return sift_losses;
 }
 //<
 
@@ -163,20 +101,66 @@ INLINED double furthest_outside2(const struct grid *grid,
 }
 //<
 
-//> Look from outside
-// Whoever was found already need not be found again.
-static struct viewer look_from_outside(const struct ground *ground,
-                                       uint32_t s, uint32_t t,
-                                       double far2)
+//> Look around
+// Shows the sorted points begin .. end - 1 to one who looks far.
+static void look_along(const struct ground *ground, uint32_t begin,
+                       uint32_t end, struct viewer *viewer)
+{
+    const struct points p = ground->sorted->points;
+    const uint32_t *point = ground->sorted->cells.point;
+    for (uint32_t s = begin; s < end; s++) {
+        double far2 = pair2(WRAPAROUND, ground->space,
+                            p.x[s] - viewer->x, p.y[s] - viewer->y)
+                          .far2;
+        if (far2 >= viewer->most2 && point[s] != viewer->self &&
+            (far2 > viewer->most2 || point[s] < viewer->furthest)) {
+            viewer->most2 = far2;
+            viewer->furthest = point[s];
+        }
+    }
+    COUNT(distances, end - begin);
+}
+
+// In a block that is wider by a cell on each side. Says whether nobody
+// outside of that can be further.
+static bool look_around(const struct ground *ground,
+                        struct viewer *viewer)
+{
+    const struct grid *grid = &ground->sorted->grid;
+    const uint32_t columns = grid->x.count;
+    const struct block block = block_of(grid, viewer->x, viewer->y, 2);
+    const uint32_t first = block.x.first, end = first + block.x.count;
+    for (uint32_t k = 0; k < block.y.count; k++) {
+        const uint32_t *start =
+            ground->sorted->cells.start +
+            reach_cell(&grid->y, &block.y, k) * columns;
+        look_along(ground, start[first],
+                   start[end < columns ? end : columns], viewer);
+        if (end > columns)
+            look_along(ground, start[0], start[end - columns], viewer);
+    }
+    return viewer->most2 > furthest_outside2(grid, &block,
+                                             ground->space, viewer->x,
+                                             viewer->y);
+}
+//<
+
+//> Look far alone
+// Whoever was found already need not be found again. Who still cannot
+// be sure begins from outside.
+static void look_far_alone(const struct ground *ground, uint32_t s,
+                           struct answers *found)
 {
     struct viewer viewer = viewer_of(ground->sorted, s);
-    if (s != t) {
-        viewer.most2 = far2;
-        viewer.furthest = ground->sorted->cells.point[t];
+    if (found->furthest[s] != viewer.self) {
+        viewer.most2 = found->furthest2[s];
+        viewer.furthest = found->furthest[s];
     }
-    seek_far(WRAPAROUND, look_at, ground, &viewer);
+    if (!look_around(ground, &viewer))
+        seek_far(WRAPAROUND, look_at, ground, &viewer);
+    found->furthest[s] = viewer.furthest;
+    found->furthest2[s] = viewer.most2;
     COUNT(tasks, 1);
-    return viewer;
 }
 //<
 
@@ -192,22 +176,18 @@ INLINED void answer_far(const struct ground *ground,
     const struct space space = ground->space;
     const float slack = loss_slack(space, tile->reach);
     for (uint32_t lane = 0; lane < tile->width; lane++) {
-        uint32_t s = tile->begin + lane, k = s - tile->first;
+        uint32_t s = tile->begin + lane;
         uint32_t t = table->place[number_of(sieve->best[lane])];
         double far2 =
             pair2(WRAPAROUND, space, x[t] - x[s], y[t] - y[s]).far2;
         bool sure = sieve->second[lane] >
                     sieve->best[lane] * (1 + 0x1p-12f) + slack;
-        found->furthest[k] = sorted->cells.point[t];
-        found->furthest2[k] = far2;
+        found->furthest[s] = sorted->cells.point[t];
+        found->furthest2[s] = far2;
         if (!(sure &&
               far2 > furthest_outside2(&sorted->grid, &tile->block,
-                                       space, x[s], y[s]))) {
-            struct viewer viewer =
-                look_from_outside(ground, s, t, far2);
-            found->furthest[k] = viewer.furthest;
-            found->furthest2[k] = viewer.most2;
-        }
+                                       space, x[s], y[s])))
+            look_far_alone(ground, s, found);
     }
 }
 //<
@@ -224,87 +204,230 @@ INLINED void stage_far(const struct sorted *sorted, uint32_t begin,
 
 //> Ask far with a tile
 INLINED void ask_far(loss_function *sift, const struct ground *ground,
-                     struct tile *tile, struct answers *found)
+                     struct tile tile, struct answers *found)
 {
     const struct sorted *sorted = ground->sorted;
     const struct grid *grid = &sorted->grid;
-    const double *x = sorted->points.x + tile->begin;
+    const double *x = sorted->points.x + tile.begin;
     uint32_t from = axis_cell(&grid->x, x[0]);
-    uint32_t to = axis_cell(&grid->x, x[tile->width - 1]);
+    uint32_t to = axis_cell(&grid->x, x[tile.width - 1]);
     struct table table;
     struct sieve sieve = {{0}, {0}};
-    tile->block = block_around(grid, tile->row, from, to, 1);
-    if (fill(WRAPAROUND, stage_far, sorted, tile, from, to, &table) &&
-        losses_fit(ground->space, tile->reach)) {
-        sift(&table, tile->width, ground->space, &sieve);
-        COUNT(distances,
-              (uint64_t)(table.count - ASKING + tile->width) * ASKING);
+    tile.block = block_around(grid, tile.row, from, to, 1);
+    if (fill(WRAPAROUND, stage_far, sorted, &tile, from, to, &table) &&
+        losses_fit(ground->space, tile.reach)) {
+        sift(&table, ground->space, &sieve);
+        COUNT(distances, (uint64_t)table.count * ASKING);
     } else {
-        table.place[0] = tile->begin;
+        table.place[0] = tile.begin;
     }
-    answer_far(ground, tile, &table, &sieve, found);
+    answer_far(ground, &tile, &table, &sieve, found);
 }
 //<
 
-//> Go along and look far
-// A tile ends where its row ends.
-static void go_far(loss_function *sift, const struct ground *ground,
-                   uint32_t begin, uint32_t end, struct answers *found)
+//> See losses with AVX2
+#ifdef HAVE_X86_VECTORS
+USE_AVX2
+INLINED __m256 see_loss(const struct eye *eye, __m256 dx, __m256 dy)
 {
-    const struct grid *grid = &ground->sorted->grid;
-    const uint32_t *start = ground->sorted->cells.start;
-    struct tile tile = {
-        .begin = begin,
-        .first = begin,
-        .row = axis_cell(&grid->y, ground->sorted->points.y[begin])};
-    for (; tile.begin < end; tile.begin += tile.width) {
-        uint32_t stop;
-        while ((stop = start[(tile.row + 1) * grid->x.count]) <=
-               tile.begin)
-            tile.row++;
-        tile.width = (stop < end ? stop : end) - tile.begin;
-        tile.width = tile.width < ASKING ? tile.width : ASKING;
-        ask_far(sift, ground, &tile, found);
-    }
+    const __m256 sign = _mm256_set1_ps(-0.0F);
+    dx = _mm256_andnot_ps(sign, dx);
+    dy = _mm256_andnot_ps(sign, dy);
+    __m256 loss =
+        _mm256_fmadd_ps(dx, _mm256_sub_ps(eye->across, dx),
+                        _mm256_mul_ps(dy, _mm256_sub_ps(eye->up, dy)));
+    return _mm256_andnot_ps(sign, loss);
 }
 //<
 
-//> Take a turn looking far
-enum { FAR_TURN = 1024 };
-
-static void take_far_turn(loss_function *sift,
-                          const struct ground *ground, uint32_t begin,
-                          uint32_t end, struct answers *answers)
+//> Settle four furthest
+// As pair2 and furthest_outside2 have it.
+USE_AVX2
+INLINED __m256d larger_way(double period, __m256d d)
 {
-    uint32_t furthest[FAR_TURN];
-    double furthest2[FAR_TURN];
-    struct answers found = {.furthest = furthest,
-                            .furthest2 = furthest2};
-    const uint32_t *point = ground->sorted->cells.point;
-    go_far(sift, ground, begin, end, &found);
-    for (uint32_t s = begin; s < end; s++) {
-        answers->furthest[point[s]] = furthest[s - begin];
-        answers->furthest2[point[s]] = furthest2[s - begin];
-    }
+    d = _mm256_andnot_pd(_mm256_set1_pd(-0.0), d);
+    return _mm256_max_pd(d, _mm256_sub_pd(_mm256_set1_pd(period), d));
+}
+
+USE_AVX2
+INLINED __m256d sum_of_squares(__m256d a, __m256d b)
+{
+    return _mm256_add_pd(_mm256_mul_pd(a, a), _mm256_mul_pd(b, b));
+}
+
+USE_AVX2
+INLINED uint32_t settle_far(const enum geometry geometry,
+                            struct space space, const struct grid *grid,
+                            const struct block *block,
+                            const struct quartet *four, double far2[4])
+{
+    const __m256d w = _mm256_set1_pd(space.width);
+    const __m256d h = _mm256_set1_pd(space.height);
+    __m256d d2 = sum_of_squares(larger_way(space.width, four->dx),
+                                larger_way(space.height, four->dy));
+    __m256d across = _mm256_sub_pd(
+        w, four_margins(geometry, &grid->x, &block->x, four->x));
+    __m256d up = _mm256_sub_pd(
+        h, four_margins(geometry, &grid->y, &block->y, four->y));
+    __m256d outside2 = _mm256_mul_pd(
+        _mm256_max_pd(sum_of_squares(across, h), sum_of_squares(w, up)),
+        _mm256_set1_pd(1 + 0x1p-48));
+    _mm256_storeu_pd(far2, d2);
+    return (uint32_t)_mm256_movemask_pd(
+        _mm256_cmp_pd(d2, outside2, _CMP_GT_OQ));
 }
 //<
+
+//> Look far with AVX2
+USE_AVX2
+static void sift_losses_avx2(const struct table *table,
+                             struct space space, struct sieve *sieve)
+{
+    const float *x = table->x, *y = table->y;
+    uint32_t number[ASKING] = {0, 1, 2, 3, 4, 5, 6, 7};
+    struct eye eye = eye_for(space, x, y);
+    glance_at_own(see_loss, x, y, number, &eye);
+    for (uint32_t k = ASKING; k < table->count; k++)
+        keep_two(&eye.two, glance_at(see_loss, &eye, x + k, y + k, &k));
+    _mm256_storeu_ps(sieve->best, eye.two.best);
+    _mm256_storeu_ps(sieve->second, eye.two.second);
+}
+
+USE_AVX2
+static uint32_t glance_far_avx2(const struct ground *ground,
+                                const struct window *window,
+                                const struct tile *tile,
+                                struct reply *reply)
+{
+    const struct space space = ground->space;
+    struct sieve sieve;
+    sweep(see_loss, space, ground->sorted, window, tile, &sieve);
+    return reply_to_eight(settle_far, WRAPAROUND, space,
+                          loss_slack(space, tile->reach),
+                          ground->sorted, window, tile, &sieve, reply);
+}
+//<
+
+//> Look far with AVX-512
+USE_AVX512
+INLINED __m512 see_loss_wide(const struct wide_eye *eye, __m512 dx,
+                             __m512 dy)
+{
+    dx = _mm512_abs_ps(dx);
+    dy = _mm512_abs_ps(dy);
+    return _mm512_abs_ps(
+        _mm512_fmadd_ps(dx, _mm512_sub_ps(eye->across, dx),
+                        _mm512_mul_ps(dy, _mm512_sub_ps(eye->up, dy))));
+}
+
+USE_AVX512
+static uint32_t glance_far_avx512(const struct ground *ground,
+                                  const struct window *window,
+                                  const struct tile *tile,
+                                  struct reply *reply)
+{
+    const struct space space = ground->space;
+    struct sieve sieve;
+    sweep_wide(see_loss_wide, space, ground->sorted, window, tile,
+               &sieve);
+    return reply_to_eight(settle_far, WRAPAROUND, space,
+                          loss_slack(space, tile->reach),
+                          ground->sorted, window, tile, &sieve, reply);
+}
+#endif
+//<
+
+//> Choose how to look far
+// With plain C, no window is ever open.
+struct sight {
+    loss_function *sift;
+    uint32_t (*glance)(const struct ground *ground,
+                       const struct window *window,
+                       const struct tile *tile, struct reply *reply);
+};
+
+static struct sight sight_of(enum isa isa)
+{
+#ifdef HAVE_X86_VECTORS
+    if (isa == AVX512)
+        return (struct sight){sift_losses_avx2, glance_far_avx512};
+    if (isa == AVX2)
+        return (struct sight){sift_losses_avx2, glance_far_avx2};
+#endif
+    (void)isa;
+    return (struct sight){sift_losses, NULL};
+}
+//<
+
+//> Look far through a window
+static void look_through(const struct sight *sight,
+                         const struct ground *ground,
+                         const struct window *window,
+                         const struct tile *tile, struct answers *found)
+{
+    const uint32_t begin = tile->begin, width = tile->width;
+    struct reply reply;
+    uint32_t sure = sight->glance(ground, window, tile, &reply);
+    memcpy(found->furthest2 + begin, reply.d2, width * sizeof(double));
+    memcpy(found->furthest + begin, reply.who,
+           width * sizeof(uint32_t));
+    for (uint32_t lane = 0; lane < width; lane++)
+        if (!(sure >> lane & 1))
+            look_far_alone(ground, begin + lane, found);
+}
+//<
+
+//> Visit a tile to look far
+struct far_visit {
+    struct sight sight;
+    struct ground ground;
+    struct answers *found; // in the order of the sorted points
+};
+
+static void visit_far(const void *context, const struct window *window,
+                      const struct tile *tile)
+{
+    const struct far_visit *visit = context;
+    if (window && losses_fit(visit->ground.space, window->reach))
+        look_through(&visit->sight, &visit->ground, window, tile,
+                     visit->found);
+    else
+        ask_far(visit->sight.sift, &visit->ground, *tile, visit->found);
+}
+//<
+
+//> Search near and far by tiles
+// The furthest are carried home when all the nearest are there: the
+// cache has room for one half of the answers rather than for both.
+static void carry_home(const struct question *question,
+                       const struct sorted *sorted,
+                       const struct answers *found,
+                       struct answers *answers)
+{
+    const uint32_t *point = sorted->cells.point;
+#pragma omp parallel for num_threads(question->threads)
+    for (uint32_t s = 0; s < sorted->points.n; s++) {
+        answers->furthest[point[s]] = found->furthest[s];
+        answers->furthest2[point[s]] = found->furthest2[s];
+    }
+}
 
 void search_far_tiles(const struct question *question,
                       const struct sorted *sorted,
                       struct answers *answers)
 {
-    loss_function *const sift = loss_sift();
-    const uint32_t n = sorted->points.n, turns = (n - 1) / FAR_TURN + 1;
+    const uint32_t n = sorted->points.n;
+    struct answers found = {.furthest = allocate(n, sizeof(uint32_t)),
+                            .furthest2 = allocate(n, sizeof(double))};
     struct rows rows = rows_find(sorted);
-    const struct ground ground = {sorted, &rows, question->space};
-#pragma omp parallel for num_threads(question->threads) \
-    schedule(dynamic)
-    for (uint32_t turn = 0; turn < turns; turn++) {
-        uint32_t begin = turn * FAR_TURN, left = n - begin;
-        take_far_turn(sift, &ground, begin,
-                      begin + (left < FAR_TURN ? left : FAR_TURN),
-                      answers);
-    }
+    const struct far_visit far = {sight_of(isa_chosen()),
+                                  {sorted, &rows, question->space},
+                                  &found};
+    const struct visit visit = {visit_far, &far};
+    search_and_visit(question, sorted, &visit, answers);
+    carry_home(question, sorted, &found, answers);
     rows_free(&rows);
+    answers_free(&found);
 }
+//<
 //<

@@ -1,11 +1,12 @@
 //> Try the furthest on points of every kind
 // Distances and nanoseconds a point of the furthest by cells and by the
-// hull, and of all pairs in tiles, on points that suit one of them and
-// on points that suit none. One thread.
+// hull, of both answers at once, and of all pairs in tiles, on points
+// that suit one of them and on points that suit none. One thread.
 //
 //     kinds [POINTS [TRIALS]]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
+#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
@@ -14,6 +15,7 @@ static const struct {
     const char *algorithm, *name;
 } ways[] = {{"furthest-cells", "cells"},
             {"furthest-hull", "hull"},
+            {"near-and-far", "both"},
             {"tiles", "tiles"}};
 static const char *const kinds[] = {
     "uniform", "clustered",    "lattice", "collinear",
@@ -58,6 +60,7 @@ static void print_kind(const char *kind, uint32_t n, int trials)
 int main(int argc, char **argv)
 {
     fail_as("kinds", NULL);
+    memory_keep(true);
     uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     report_provenance(stdout);

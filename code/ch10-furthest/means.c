@@ -6,6 +6,7 @@
 //     means means|histogram [POINTS [SETS]]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
+#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
@@ -94,6 +95,7 @@ static void print_histograms(const struct sums sums[2])
 int main(int argc, char **argv)
 {
     fail_as("means", NULL);
+    memory_keep(true);
     if (argc < 2 || (strcmp(argv[1], "means") != 0 &&
                      strcmp(argv[1], "histogram") != 0))
         fail("say what to print: means or histogram");

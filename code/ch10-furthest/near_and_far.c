@@ -1,6 +1,7 @@
 //> Search near and far
 // See near_and_far.h.
 #include "ch10-furthest/near_and_far.h"
+#include "ch04-cell-sort/together.h"
 #include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/row_spans.h"
 #include "ch10-furthest/far_tiles.h"
@@ -29,13 +30,15 @@ static void search_near_and_far(const struct question *question,
                                 const struct sorted *sorted,
                                 struct answers *answers)
 {
+    if (answers->furthest && question->space.geometry == WRAPAROUND) {
+        search_far_tiles(question, sorted, answers);
+        return;
+    }
     if (answers->nearest)
         search_row_spans(question, sorted, TOGETHER, answers);
-    if (answers->furthest && question->space.geometry == STANDARD)
+    if (answers->furthest)
         furthest_among(question, corners_on_rim(question, sorted),
                        answers);
-    else if (answers->furthest)
-        search_far_tiles(question, sorted, answers);
 }
 
 void near_and_far(const struct question *question,
@@ -45,7 +48,7 @@ void near_and_far(const struct question *question,
         furthest_among(question, corners_find(question), answers);
         return;
     }
-    struct sorted sorted = sorted_carry(question, POINTS_PER_SPAN_CELL);
+    struct sorted sorted = sorted_carry(question, POINTS_PER_CELL);
     answers->built_ns = clock_ns();
     search_near_and_far(question, &sorted, answers);
     sorted_free(&sorted);

@@ -7,6 +7,7 @@
 //     sizes [MOST]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
+#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
@@ -57,6 +58,7 @@ static void print_points(uint32_t n)
 int main(int argc, char **argv)
 {
     fail_as("sizes", NULL);
+    memory_keep(true);
     uint32_t most = argument(argc, argv, 1, "MOST", 300000, 1000, MANY);
     report_provenance(stdout);
     printf("name\tn");

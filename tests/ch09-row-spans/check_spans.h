@@ -38,7 +38,8 @@ static inline void search_in_pieces(const struct checked_spans *checked,
         uint64_t end = begin + piece < n ? begin + piece : n;
         struct answers part = {.nearest = ordered.nearest + begin,
                                .nearest2 = ordered.nearest2 + begin};
-        checked->search(question, sorted, manner, begin, end, &part);
+        checked->search(question, sorted, manner, NULL, begin, end,
+                        &part);
     }
     for (uint32_t s = 0; s < n; s++) {
         found->nearest[point[s]] = ordered.nearest[s];
