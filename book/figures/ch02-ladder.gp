@@ -11,8 +11,9 @@ set ylabel "ns a pair"
 set key top right
 set rmargin 16
 do for [column = 2:5:3] {
-  set label "adders' limit" at graph 1.02, first cell("limit", column) offset 0,0.4
-  set label "multipliers help" at graph 1.02, first cell("limit_handed", column) offset 0,-0.4
+  up = cell("limit", column) > cell("limit_handed", column) ? 0.4 : -0.4
+  set label "limit" at graph 1.02, first cell("limit", column) offset 0,up
+  set label "limit of tiles" at graph 1.02, first cell("limit_handed", column) offset 0,-up
 }
 steps = sprintf("< grep -v '^limit' %s", table)
 plot cell("limit", 5) with lines ls 11 dt 1 notitle, \
