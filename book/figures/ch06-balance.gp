@@ -16,7 +16,7 @@ set key top center
 of(name, k) = strcol(1) eq name ? column(k) : NaN
 array a[2]; array q[2]
 do for [v = 1:2] {
-  level = v == 1 ? "l1_ns" : "l3_ns"
+  level = v == 1 ? "l1_ns" : "l2_ns"
   stats table using (of("every_256", v == 1 ? "short_ns" : "long_ns") / column("done")) nooutput
   a[v] = STATS_max
   sum = 0

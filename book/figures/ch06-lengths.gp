@@ -15,8 +15,10 @@ set yrange [0.06:25]
 set xrange [3:180000]
 do for [c = 1:3] {
   at = c == 1 ? l1 : c == 2 ? l2 : l3
-  set arrow c from at, graph 0 to at, graph 1 nohead ls 11
-  set label c sprintf("L%d", c) at at, graph 0.04 left offset 0.4,0
+  if (at < 180000) {
+    set arrow c from at, graph 0 to at, graph 1 nohead ls 11
+    set label c sprintf("L%d", c) at at, graph 0.04 left offset 0.4,0
+  }
 }
 of(name, k) = strcol(1) eq name ? column(k) : NaN
 lines = "gather_at_random scatter_at_random gather_in_order elementwise scan pack"

@@ -15,9 +15,11 @@ set xtics ("1,000" 1000, "10,000" 10000, "100,000" 100000, "1,000,000" 1e6, "10,
 set logscale y 2
 set yrange [60:*]
 set arrow from l2_max,graph 0 to l2_max,graph 1 nohead back ls 11
-set arrow from l3_max,graph 0 to l3_max,graph 1 nohead back ls 11
 set label "L2" at l2_max,graph 0.95 offset 0.6
-set label "L3" at l3_max,graph 0.95 offset 0.6
+if (l3_max < 10000000) {
+  set arrow from l3_max,graph 0 to l3_max,graph 1 nohead back ls 11
+  set label "L3" at l3_max,graph 0.95 offset 0.6
+}
 set key bottom right opaque
 plot table using "n":"coming_q3":(0):(column("coming_max") - column("coming_q3")) with vectors nohead lt 2 dt 1 notitle, \
      "" using "n":"coming_q1":(0):(column("coming_min") - column("coming_q1")) with vectors nohead lt 2 dt 1 notitle, \
