@@ -7,6 +7,7 @@
 #include "ch02-all-pairs/timing.h"
 #include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/expected_spans.h"
+#include "ch09-row-spans/keep.h"
 #include "ch09-row-spans/row_spans.h"
 #include "common/argument.h"
 #include "common/count.h"
@@ -48,6 +49,7 @@ enum { SIZES = sizeof cells / sizeof *cells };
 int main(int argc, char **argv)
 {
     fail_as("fullness", NULL);
+    memory_keep(true);
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct halves halves[SIZES];

@@ -8,6 +8,7 @@
 // much runs once before it is timed.
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
+#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
@@ -50,6 +51,7 @@ static void print_kind(const char *kind, uint32_t n, int count)
 int main(int argc, char **argv)
 {
     fail_as("kinds", NULL);
+    memory_keep(true);
     uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 2, MANY);
     uint32_t more = argument(argc, argv, 2, "MORE", 100000, 2, MANY);
     int count = argument(argc, argv, 3, "TRIALS", 3, 1, MANY);

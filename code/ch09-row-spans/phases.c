@@ -11,6 +11,7 @@
 #include "ch02-all-pairs/timing.h"
 #include "ch05-collisions/bands.h"
 #include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/keep.h"
 #include "ch09-row-spans/row_spans.h"
 #include "common/argument.h"
 #include "common/fail.h"
@@ -105,6 +106,7 @@ enum { PHASES = sizeof phases / sizeof *phases };
 int main(int argc, char **argv)
 {
     fail_as("phases", NULL);
+    memory_keep(true);
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct answers answers = answers_for(n, NEAREST);
