@@ -8,9 +8,9 @@ set logscale xy
 set xlabel "points"
 set ylabel "ns a point"
 set xrange [700:15000000]
-set yrange [5:1000<*]
+set yrange [5:*]
 set xtics ("1,000" 1000, "10,000" 10000, "100,000" 100000, "1,000,000" 1e6, "10,000,000" 1e7)
-set key top left
+set key outside top center horizontal maxrows 2
 plot table using "n":"both":"both_q1":"both_q3" with yerrorlines lt 4 title "both, near and far", \
      "" using "n":"spans":"spans_q1":"spans_q3" with yerrorlines lt 1 title "nearest, row spans", \
      "" using "n":"cells":"cells_q1":"cells_q3" with yerrorlines lt 2 title "furthest, by cells", \
