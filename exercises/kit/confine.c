@@ -34,7 +34,8 @@
 #define RULES false
 #endif
 
-enum { NOBODY = 65534, THREADS_MAX = 500, DESCRIPTORS_MAX = 256 };
+// The stacks of so many threads fit into the memory that is allowed.
+enum { NOBODY = 65534, THREADS_MAX = 200, DESCRIPTORS_MAX = 256 };
 
 // KIT_RULES=no is how a test tries what is left without them.
 bool has_rules(void)
