@@ -14,7 +14,7 @@ bool isa_present(enum isa isa)
 #ifdef __x86_64__
     __builtin_cpu_init();
     if (isa == AVX512)
-        return __builtin_cpu_supports("avx512f") &&
+        return isa_present(AVX2) && __builtin_cpu_supports("avx512f") &&
                __builtin_cpu_supports("avx512cd") &&
                __builtin_cpu_supports("avx512bw") &&
                __builtin_cpu_supports("avx512dq") &&

@@ -25,9 +25,9 @@ enum isa isa_chosen(void);
 // so tests/instructions tests what the machine at hand lacks.
 #if defined __x86_64__ && !defined EMULATED
 #define USE_AVX2 __attribute__((target("avx2,fma,bmi2")))
-#define USE_AVX512                   \
-    __attribute__((target("avx512f," \
-                          "avx512cd,avx512bw,avx512dq,avx512vl")))
+#define USE_AVX512                                                   \
+    __attribute__((target("avx2,fma,bmi2,avx512f,avx512cd,avx512bw," \
+                          "avx512dq,avx512vl")))
 #else
 #define USE_AVX2
 #define USE_AVX512
