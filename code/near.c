@@ -309,9 +309,10 @@ static int near(const struct options *options)
 int main(int argc, char **argv)
 {
     fail_as("near", write_abandon);
-    memory_keep(true);
     insist_on_output();
     struct options options = parse_options(argc, argv);
+    if (options.trials > 1)
+        memory_keep();
     int status = 0;
     if (options.help)
         print_help();

@@ -49,7 +49,7 @@ enum { SIZES = sizeof cells / sizeof *cells };
 int main(int argc, char **argv)
 {
     fail_as("fullness", NULL);
-    memory_keep(true);
+    memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct halves halves[SIZES];

@@ -38,20 +38,19 @@ static long pages_again(struct search *search)
     return after.ru_minflt - before.ru_minflt;
 }
 
-static void print_kept(struct search *search, struct trial trial)
-{
-    memory_keep(true);
-    time_in_turn(5, &trial, 1);
-    print_summary(&trial.summary, search->question.points.n);
-    printf("\t%ld\n", pages_again(search));
-    memory_keep(false);
-}
+// What is found out about so many points.
+struct height {
+    uint32_t n;
+    long pages;
+    struct summary summary[SEARCHES], kept;
+};
 
 // Large sets take long, and differ little. What allocates much runs
 // once before it is timed; the spiral, long and without such arrays,
 // need not.
-static void print_size(uint32_t n)
+static void time_size(struct height *height)
 {
+    const uint32_t n = height->n;
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers answers = answers_for(n, NEAREST);
     struct search search[SEARCHES];
@@ -65,33 +64,63 @@ static void print_size(uint32_t n)
                                   .context = &search[k]};
     }
     time_in_turn(n > LOTS ? 1 : 5, trial, SEARCHES);
-    struct caches caches = caches_of_machine();
-    printf("n%u\t%u\t%zu\t%zu", n, n, caches.l2 / BYTES_KEPT,
-           caches.l3 / BYTES_KEPT);
     for (int k = 0; k < SEARCHES; k++)
-        print_summary(&trial[k].summary, n);
-    printf("\t%ld", pages_again(&search[SEARCHES - 1]));
-    print_kept(&search[SEARCHES - 1], trial[SEARCHES - 1]);
-    fflush(stdout);
+        height->summary[k] = trial[k].summary;
+    height->pages = pages_again(&search[SEARCHES - 1]);
     answers_free(&answers);
     points_free(&question.points);
 }
 
+static void time_kept(struct height *height)
+{
+    struct question question = uniform_question(STANDARD, height->n, 1);
+    struct answers answers = answers_for(height->n, NEAREST);
+    struct search search = {
+        find_algorithm(searches[SEARCHES - 1].algorithm)->run, question,
+        &answers};
+    height->kept = time_trials(5, run_search, &search);
+    answers_free(&answers);
+    points_free(&question.points);
+}
+
+static void print_height(const struct height *height)
+{
+    const uint32_t n = height->n;
+    struct caches caches = caches_of_machine();
+    printf("n%u\t%u\t%zu\t%zu", n, n, caches.l2 / BYTES_KEPT,
+           caches.l3 / BYTES_KEPT);
+    for (int k = 0; k < SEARCHES; k++)
+        print_summary(&height->summary[k], n);
+    printf("\t%ld", height->pages);
+    print_summary(&height->kept, n);
+    puts("");
+}
+
+// Memory once kept is kept, so all sizes go first without.
 int main(int argc, char **argv)
 {
     fail_as("heights", NULL);
     uint32_t most = argument(argc, argv, 1, "MOST", LOTS, 1000, MANY);
+    struct height heights[2 * 10]; // two for each power of ten
+    int count = 0;
+    for (uint64_t n = 1000; n <= most; n *= 10)
+        for (int third = 0; third < 2; third++)
+            if ((third ? 3 * n : n) <= most)
+                heights[count++].n = third ? 3 * n : n;
+    for (int k = 0; k < count; k++)
+        time_size(&heights[k]);
+    memory_keep();
+    for (int k = 0; k < count; k++)
+        time_kept(&heights[k]);
     report_provenance(stdout);
     printf("name\tn\tl2_points\tl3_points");
     for (int k = 0; k < SEARCHES; k++)
         print_summary_columns(searches[k].name);
     printf("\tpages");
     print_summary_columns("kept");
-    puts("\tpages_kept");
-    for (uint64_t n = 1000; n <= most; n *= 10)
-        for (int third = 0; third < 2; third++)
-            if ((third ? 3 * n : n) <= most)
-                print_size(third ? 3 * n : n);
+    puts("");
+    for (int k = 0; k < count; k++)
+        print_height(&heights[k]);
     return 0;
 }
 //<

@@ -8,16 +8,11 @@
 
 //> Ask the C library to keep memory
 // Nothing is mapped for one array alone, and nothing trimmed.
-void memory_keep(bool keep)
+void memory_keep(void)
 {
 #ifdef __GLIBC__
-    enum { TRIMMED = 128 << 10, MAPPED = 65536 }; // as it begins
-    mallopt(M_MMAP_MAX, keep ? 0 : MAPPED);
-    mallopt(M_TRIM_THRESHOLD, keep ? -1 : TRIMMED);
-    if (!keep)
-        malloc_trim(0);
-#else
-    (void)keep;
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
 #endif
 }
 //<

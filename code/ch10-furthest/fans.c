@@ -61,7 +61,7 @@ static void print_kind(const char *kind, uint32_t n)
 int main(int argc, char **argv)
 {
     fail_as("fans", NULL);
-    memory_keep(true);
+    memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 6000, 2, MANY);
     report_provenance(stdout);
     puts("kind\tx\ty\trank\tfans");

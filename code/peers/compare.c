@@ -130,7 +130,7 @@ static void compete_for(uint32_t n, const struct rules *rules,
 int main(int argc, char **argv)
 {
     fail_as("compare", NULL);
-    memory_keep(true);
+    memory_keep();
     uint32_t largest =
         argument(argc, argv, 1, "LARGEST", 10000, FEWEST, MANY);
     int trials =
