@@ -48,6 +48,7 @@ void near_and_far(const struct question *question,
         furthest_among(question, corners_find(question), answers);
         return;
     }
+    // Whoever looks far, too, likes a cell a little fuller.
     struct sorted sorted = sorted_carry(question, POINTS_PER_CELL);
     answers->built_ns = clock_ns();
     search_near_and_far(question, &sorted, answers);
