@@ -8,9 +8,9 @@
 #include <string.h>
 
 //> Choose a band that fits the cache
-// The points of 2^12 cells, coming and going, are some 270 KB. A small
+// The points of 2^12 cells, coming and going, are some 300 KB. A small
 // grid is cut into at least so many bands, for the threads to share.
-enum { WIDEST_SHIFT = 12, FEWEST_BANDS = 64, STRIP = 512 };
+enum { WIDEST_SHIFT = 12, FEWEST_BANDS = 128, STRIP = 512 };
 
 static int band_shift(uint32_t m)
 {
@@ -35,6 +35,7 @@ struct load {
     int shares, shift;
     uint32_t bands;
     uint32_t *next; // next[share * bands + band]
+    uint32_t *sent; // in which parcel
 };
 
 //> Find the homes of a strip
@@ -82,10 +83,12 @@ static void send(const struct load *load, struct parcel *parcel)
         uint32_t home[STRIP], count;
         for (; i < end; i += count) {
             count = strip_homes(load, i, end, home);
-            for (uint32_t s = 0; s < count; s++)
-                parcel[mine[home[s] >> load->shift]++] =
-                    (struct parcel){p.x[i + s], p.y[i + s], home[s],
-                                    i + s};
+            for (uint32_t s = 0; s < count; s++) {
+                uint32_t at = mine[home[s] >> load->shift]++;
+                parcel[at] = (struct parcel){p.x[i + s], p.y[i + s],
+                                             home[s], i + s};
+                load->sent[i + s] = at;
+            }
         }
     }
 }
@@ -95,8 +98,9 @@ static void send(const struct load *load, struct parcel *parcel)
 // The parcels begin .. end - 1, all for the cells first .. last - 1.
 static void unpack(const struct parcel *parcel, uint32_t begin,
                    uint32_t end, uint32_t first, uint32_t last,
-                   struct sorted *sorted)
+                   struct carried *carried)
 {
+    struct sorted *sorted = &carried->sorted;
     uint32_t *count = sorted->cells.start + 1;
     memset(count + first, 0, (last - first) * sizeof *count);
     for (uint32_t s = begin; s < end; s++)
@@ -107,12 +111,13 @@ static void unpack(const struct parcel *parcel, uint32_t begin,
         sorted->points.x[place] = parcel[s].x;
         sorted->points.y[place] = parcel[s].y;
         sorted->cells.point[place] = parcel[s].point;
+        carried->came[place] = s;
     }
 }
 //<
 
 //> Send to bands, unpack band by band
-static void carry(const struct load *load, struct sorted *sorted)
+static void carry(const struct load *load, struct carried *carried)
 {
     const uint32_t m = grid_cells(load->grid);
     struct parcel *parcel = allocate(load->points.n, sizeof *parcel);
@@ -120,34 +125,47 @@ static void carry(const struct load *load, struct sorted *sorted)
     count_bands(load);
     scan_shares(load->next, load->bands, load->shares, begin);
     send(load, parcel);
-    sorted->cells.start[0] = 0;
+    carried->sorted.cells.start[0] = 0;
 #pragma omp parallel for num_threads(load->shares) schedule(dynamic)
     for (uint32_t b = 0; b < load->bands; b++) {
         uint32_t first = b << load->shift;
         uint32_t last =
             b + 1 < load->bands ? (b + 1) << load->shift : m;
-        unpack(parcel, begin[b], begin[b + 1], first, last, sorted);
+        unpack(parcel, begin[b], begin[b + 1], first, last, carried);
     }
     free(begin);
     free(parcel);
 }
 
-struct sorted sorted_carry(const struct question *question, double c)
+struct carried carry_points(const struct question *question, double c)
 {
     const struct points points = question->points;
-    struct sorted sorted = {.grid = grid_fit(question, c)};
-    const uint32_t m = grid_cells(&sorted.grid);
-    const int shift = band_shift(m);
-    struct load load = {&sorted.grid,           points,
-                        question->threads,      shift,
-                        ((m - 1) >> shift) + 1, NULL};
+    struct carried carried = {
+        .sorted = {.grid = grid_fit(question, c)},
+        .sent = allocate(points.n, sizeof *carried.sent),
+        .came = allocate(points.n, sizeof *carried.came)};
+    const uint32_t m = grid_cells(&carried.sorted.grid);
+    struct load load = {.grid = &carried.sorted.grid,
+                        .points = points,
+                        .shares = question->threads,
+                        .shift = band_shift(m),
+                        .sent = carried.sent};
+    load.bands = ((m - 1) >> load.shift) + 1;
     load.next =
         allocate((size_t)load.shares * load.bands, sizeof *load.next);
-    sorted.cells = cells_allocate(m, points.n);
-    sorted.points = points_allocate(points.n);
-    carry(&load, &sorted);
+    carried.sorted.cells = cells_allocate(m, points.n);
+    carried.sorted.points = points_allocate(points.n);
+    carry(&load, &carried);
     free(load.next);
-    return sorted;
+    return carried;
+}
+
+void carried_free(struct carried *carried)
+{
+    sorted_free(&carried->sorted);
+    free(carried->sent);
+    free(carried->came);
+    *carried = (struct carried){0};
 }
 //<
 //<

@@ -6,8 +6,17 @@
 #pragma once
 #include "ch04-cell-sort/sorted.h"
 
+//> Remember how the points came
+struct carried {
+    struct sorted sorted;
+    uint32_t *sent; // point i was sent in parcel sent[i], and who is
+    uint32_t *came; // at place s came in parcel came[s]
+};
+//<
+
 // The points of the question in a grid with c of them in a cell on
-// average, c > 0, by all its threads: the same as any sorted_make, bit
-// for bit. Released with sorted_free.
-struct sorted sorted_carry(const struct question *question, double c);
+// average, c > 0, by all its threads: sorted as by any sorted_make, bit
+// for bit. Released with carried_free.
+struct carried carry_points(const struct question *question, double c);
+void carried_free(struct carried *carried);
 //<

@@ -19,21 +19,21 @@
 struct halves {
     struct question question;
     double c;
-    struct sorted sorted;
+    struct carried carried;
     struct answers answers;
 };
 
 static void sort(void *context)
 {
     struct halves *h = context;
-    struct sorted sorted = sorted_carry(&h->question, h->c);
-    sorted_free(&sorted);
+    struct carried carried = carry_points(&h->question, h->c);
+    carried_free(&carried);
 }
 
 static void search(void *context)
 {
     struct halves *h = context;
-    search_row_spans(&h->question, &h->sorted, TOGETHER, &h->answers);
+    search_row_spans(&h->question, &h->carried, TOGETHER, &h->answers);
 }
 //<
 
@@ -58,7 +58,7 @@ int main(int argc, char **argv)
     struct answers answers = answers_allocate(n);
     for (int k = 0; k < SIZES; k++) {
         halves[k] = (struct halves){question, cells[k].c,
-                                    sorted_carry(&question, cells[k].c),
+                                    carry_points(&question, cells[k].c),
                                     answers};
         trials[2 * k] = (struct trial){
             .work = sort, .prepare = sort, .context = &halves[k]};
@@ -70,9 +70,10 @@ int main(int argc, char **argv)
     puts("name\tc\tdistances\texpected\talone\talone_expected"
          "\tsort\tsort_q1\tsort_q3\tsearch\tsearch_q1\tsearch_q3");
     for (int k = 0; k < SIZES; k++) {
-        double c = (double)n / grid_cells(&halves[k].sorted.grid);
+        double c =
+            (double)n / grid_cells(&halves[k].carried.sorted.grid);
         counting_take();
-        counting_search_row_spans(&question, &halves[k].sorted,
+        counting_search_row_spans(&question, &halves[k].carried,
                                   TOGETHER, &answers);
         struct counts counts = counting_take();
         printf("%s\t%g\t%.5g\t%.5g\t%.4g\t%.4g", cells[k].name,
@@ -82,7 +83,7 @@ int main(int argc, char **argv)
         print_summary(&trials[2 * k].summary, n);
         print_summary(&trials[2 * k + 1].summary, n);
         puts("");
-        sorted_free(&halves[k].sorted);
+        carried_free(&halves[k].carried);
     }
     answers_free(&answers);
     points_free(&question.points);

@@ -11,10 +11,11 @@ struct window;
 struct tile;
 
 // What else is asked for the points of a tile, once their nearest have
-// been found. The window is NULL where none is open.
+// been found. The window is NULL where none is open. What is found goes
+// where the nearest of the tile went, k = tile->begin - tile->first.
 struct visit {
     void (*tile)(const void *context, const struct window *window,
-                 const struct tile *tile);
+                 const struct tile *tile, struct answers *found);
     const void *context;
 };
 

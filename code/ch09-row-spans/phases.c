@@ -1,10 +1,10 @@
 //> Time where the time goes
 // Every step of a search by row spans, on one thread and on all
-// processors: fitting the grid, carrying the points, searching,
-// with answers that are carried to their places in turns, or eight at a
-// time, or stay in the order of the cells; beside
-// chapter 5's sort and copy, and beside the floor, which is to read
-// every point once and to write every answer once.
+// processors: fitting the grid, carrying the points, searching, with
+// answers that are taken straight to their places, eight at a time or
+// in long turns, or go back in parcels, or stay in the order of the
+// cells; beside chapter 5's sort and copy, and beside the floor, which
+// is to read every point once and to write every answer once.
 //
 //     phases [POINTS [TRIALS]]
 #include "algorithms.h"
@@ -20,7 +20,7 @@
 
 struct phases {
     struct question question;
-    struct sorted sorted, at_home; // at_home: point[s] is s
+    struct carried carried, at_home; // at_home: point[s] is s
     struct answers *answers;
 };
 
@@ -43,27 +43,36 @@ static void sort_and_copy(void *context)
 static void fit_and_carry(void *context)
 {
     struct phases *p = context;
-    struct sorted sorted =
-        sorted_carry(&p->question, POINTS_PER_SPAN_CELL);
-    sorted_free(&sorted);
+    struct carried carried =
+        carry_points(&p->question, POINTS_PER_SPAN_CELL);
+    carried_free(&carried);
 }
 
 static void search(void *context)
 {
     struct phases *p = context;
-    search_row_spans(&p->question, &p->sorted, TOGETHER, p->answers);
+    search_row_spans(&p->question, &p->carried, TOGETHER, p->answers);
 }
 
 static void search_in_short_turns(void *context)
 {
     struct phases *p = context;
-    search_in_turns(&p->question, &p->sorted, TOGETHER, 8, p->answers);
+    search_in_turns(&p->question, &p->carried.sorted, TOGETHER, 8,
+                    p->answers);
+}
+
+static void search_in_long_turns(void *context)
+{
+    struct phases *p = context;
+    search_in_turns(&p->question, &p->carried.sorted, TOGETHER,
+                    LONGEST_TURN, p->answers);
 }
 
 static void search_at_home(void *context)
 {
     struct phases *p = context;
-    search_row_spans(&p->question, &p->at_home, TOGETHER, p->answers);
+    search_in_turns(&p->question, &p->at_home.sorted, TOGETHER,
+                    LONGEST_TURN, p->answers);
 }
 
 static void all(void *context)
@@ -95,8 +104,9 @@ static const struct {
 } phases[] = {{"fit", fit},
               {"copied", sort_and_copy},
               {"carried", fit_and_carry},
-              {"search", search},
               {"short_turns", search_in_short_turns},
+              {"turns", search_in_long_turns},
+              {"search", search},
               {"at_home", search_at_home},
               {"all", all},
               {"floor", touch_floor}};
@@ -112,10 +122,10 @@ int main(int argc, char **argv)
     struct answers answers = answers_for(n, NEAREST);
     struct phases one = {.question = uniform_question(STANDARD, n, 1),
                          .answers = &answers};
-    one.sorted = sorted_carry(&one.question, POINTS_PER_SPAN_CELL);
-    one.at_home = sorted_carry(&one.question, POINTS_PER_SPAN_CELL);
+    one.carried = carry_points(&one.question, POINTS_PER_SPAN_CELL);
+    one.at_home = carry_points(&one.question, POINTS_PER_SPAN_CELL);
     for (uint32_t s = 0; s < n; s++)
-        one.at_home.cells.point[s] = s;
+        one.at_home.sorted.cells.point[s] = s;
     struct phases all = one;
     all.question.threads = omp_get_num_procs();
     struct trial trials[2 * PHASES];
@@ -132,8 +142,8 @@ int main(int argc, char **argv)
         print_summary(&trials[2 * k + 1].summary, n);
         puts("");
     }
-    sorted_free(&one.at_home);
-    sorted_free(&one.sorted);
+    carried_free(&one.at_home);
+    carried_free(&one.carried);
     points_free(&one.question.points);
     answers_free(&answers);
     return 0;

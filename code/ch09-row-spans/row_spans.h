@@ -9,41 +9,43 @@
 // About 9 c + 22 distances a point, c points in a cell;
 // threads share out the points.
 #pragma once
+#include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/manners.h"
 
 // Where this search is fastest on average.
 #define POINTS_PER_SPAN_CELL 1.5
 
 // Nearest only; threads and space are the question's, the instruction
-// set is isa_chosen(). The points may be sorted in any way and have any
-// number in a cell.
+// set is isa_chosen(). The points, which were carried, may have any
+// number in a cell. The answers go back as the points came.
 void search_row_spans(const struct question *question,
-                      const struct sorted *sorted, enum manner manner,
+                      const struct carried *carried, enum manner manner,
                       struct answers *answers);
 
-// The same with turns of another length, at most LONGEST_TURN: so many
-// answers are kept before they are carried to their places.
+// Its counting twin: take the counts with counting_take.
+void counting_search_row_spans(const struct question *question,
+                               const struct carried *carried,
+                               enum manner manner,
+                               struct answers *answers);
+
+// The same for points that may be sorted in any way, in turns of at
+// most LONGEST_TURN: so many answers are kept before they are taken
+// straight to their places.
 enum { LONGEST_TURN = 1024 };
 void search_in_turns(const struct question *question,
                      const struct sorted *sorted, enum manner manner,
                      uint32_t length, struct answers *answers);
 
-// Together, with a visit to every tile. The nearest are left where they
-// are found if their arrays are NULL.
+// Together, with a visit to every tile, which finds the furthest if
+// they are asked for. The nearest are not sent back if their arrays are
+// NULL.
 void search_and_visit(const struct question *question,
-                      const struct sorted *sorted,
+                      const struct carried *carried,
                       const struct visit *visit,
                       struct answers *answers);
 void counting_search_and_visit(const struct question *question,
-                               const struct sorted *sorted,
+                               const struct carried *carried,
                                const struct visit *visit,
-                               struct answers *answers);
-
-// The first's counting twin, for whoever sorts in a way of his own:
-// take the counts with counting_take.
-void counting_search_row_spans(const struct question *question,
-                               const struct sorted *sorted,
-                               enum manner manner,
                                struct answers *answers);
 
 // The row of the table: sorts, carrying the points, and searches.

@@ -32,27 +32,28 @@ enum step {
 
 struct steps {
     struct question question;
-    struct sorted two, fewer; // two in a cell, and as the table has it
+    struct carried two, fewer; // two in a cell, and as the table has it
     struct answers answers;
 };
 
 static void by_indices(void *context)
 {
     struct steps *s = context;
-    search_indices(&s->question, &s->two.grid, &s->two.cells,
-                   s->two.cells.point, &s->answers);
+    search_indices(&s->question, &s->two.sorted.grid,
+                   &s->two.sorted.cells, s->two.sorted.cells.point,
+                   &s->answers);
 }
 
 static void by_sorted(void *context)
 {
     struct steps *s = context;
-    search_sorted(&s->question, &s->two, &s->answers);
+    search_sorted(&s->question, &s->two.sorted, &s->answers);
 }
 
 static void by_spans(void *context)
 {
     struct steps *s = context;
-    portable_spans(&s->question, &s->two, ALONE, NULL, 0,
+    portable_spans(&s->question, &s->two.sorted, ALONE, NULL, 0,
                    s->question.points.n, &s->answers);
 }
 
@@ -71,7 +72,7 @@ static void by_skipping(void *context)
 static void by_four(void *context)
 {
     struct steps *s = context;
-    search_together(&s->question, &s->two, &s->answers);
+    search_together(&s->question, &s->two.sorted, &s->answers);
 }
 
 static void by_sifting(void *context)
@@ -127,8 +128,8 @@ int main(int argc, char **argv)
     int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct steps s = {.question = uniform_question(STANDARD, n, 1),
                       .answers = answers_allocate(n)};
-    s.two = sorted_carry(&s.question, POINTS_PER_CELL);
-    s.fewer = sorted_carry(&s.question, POINTS_PER_SPAN_CELL);
+    s.two = carry_points(&s.question, POINTS_PER_CELL);
+    s.fewer = carry_points(&s.question, POINTS_PER_SPAN_CELL);
     struct trial trials[STEPS];
     for (int k = 0; k < STEPS; k++)
         trials[k] =
@@ -143,8 +144,8 @@ int main(int argc, char **argv)
         print_summary(&trials[k].summary, n);
         puts("");
     }
-    sorted_free(&s.fewer);
-    sorted_free(&s.two);
+    carried_free(&s.fewer);
+    carried_free(&s.two);
     answers_free(&s.answers);
     points_free(&s.question.points);
     return 0;

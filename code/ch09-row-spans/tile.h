@@ -319,7 +319,7 @@ INLINED void go_along(const enum geometry geometry,
         ask_together(geometry, stage, sift, meet, space, sorted, &tile,
                      found);
         if (visit)
-            visit->tile(visit->context, NULL, &tile);
+            visit->tile(visit->context, NULL, &tile, found);
     }
 }
 //<

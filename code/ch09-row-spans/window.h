@@ -281,7 +281,7 @@ INLINED void go_by_windows(const enum geometry geometry,
                              &copy, found);
             if (visit)
                 visit->tile(visit->context, ready ? &window : NULL,
-                            &copy);
+                            &copy, found);
         }
     }
 }

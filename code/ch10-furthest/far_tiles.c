@@ -148,18 +148,19 @@ static bool look_around(const struct ground *ground,
 //> Look far alone
 // Whoever was found already need not be found again. Who still cannot
 // be sure begins from outside.
+// Number k of found is the sorted point s.
 static void look_far_alone(const struct ground *ground, uint32_t s,
-                           struct answers *found)
+                           uint32_t k, struct answers *found)
 {
     struct viewer viewer = viewer_of(ground->sorted, s);
-    if (found->furthest[s] != viewer.self) {
-        viewer.most2 = found->furthest2[s];
-        viewer.furthest = found->furthest[s];
+    if (found->furthest[k] != viewer.self) {
+        viewer.most2 = found->furthest2[k];
+        viewer.furthest = found->furthest[k];
     }
     if (!look_around(ground, &viewer))
         seek_far(WRAPAROUND, look_at, ground, &viewer);
-    found->furthest[s] = viewer.furthest;
-    found->furthest2[s] = viewer.most2;
+    found->furthest[k] = viewer.furthest;
+    found->furthest2[k] = viewer.most2;
     COUNT(tasks, 1);
 }
 //<
@@ -176,18 +177,18 @@ INLINED void answer_far(const struct ground *ground,
     const struct space space = ground->space;
     const float slack = loss_slack(space, tile->reach);
     for (uint32_t lane = 0; lane < tile->width; lane++) {
-        uint32_t s = tile->begin + lane;
+        uint32_t s = tile->begin + lane, k = s - tile->first;
         uint32_t t = table->place[number_of(sieve->best[lane])];
         double far2 =
             pair2(WRAPAROUND, space, x[t] - x[s], y[t] - y[s]).far2;
         bool sure = sieve->second[lane] >
                     sieve->best[lane] * (1 + 0x1p-12f) + slack;
-        found->furthest[s] = sorted->cells.point[t];
-        found->furthest2[s] = far2;
+        found->furthest[k] = sorted->cells.point[t];
+        found->furthest2[k] = far2;
         if (!(sure &&
               far2 > furthest_outside2(&sorted->grid, &tile->block,
                                        space, x[s], y[s])))
-            look_far_alone(ground, s, found);
+            look_far_alone(ground, s, k, found);
     }
 }
 //<
@@ -365,15 +366,14 @@ static void look_through(const struct sight *sight,
                          const struct window *window,
                          const struct tile *tile, struct answers *found)
 {
-    const uint32_t begin = tile->begin, width = tile->width;
+    const uint32_t k = tile->begin - tile->first, width = tile->width;
     struct reply reply;
     uint32_t sure = sight->glance(ground, window, tile, &reply);
-    memcpy(found->furthest2 + begin, reply.d2, width * sizeof(double));
-    memcpy(found->furthest + begin, reply.who,
-           width * sizeof(uint32_t));
+    memcpy(found->furthest2 + k, reply.d2, width * sizeof(double));
+    memcpy(found->furthest + k, reply.who, width * sizeof(uint32_t));
     for (uint32_t lane = 0; lane < width; lane++)
         if (!(sure >> lane & 1))
-            look_far_alone(ground, begin + lane, found);
+            look_far_alone(ground, tile->begin + lane, k + lane, found);
 }
 //<
 
@@ -381,53 +381,32 @@ static void look_through(const struct sight *sight,
 struct far_visit {
     struct sight sight;
     struct ground ground;
-    struct answers *found; // in the order of the sorted points
 };
 
 static void visit_far(const void *context, const struct window *window,
-                      const struct tile *tile)
+                      const struct tile *tile, struct answers *found)
 {
     const struct far_visit *visit = context;
     if (window && losses_fit(visit->ground.space, window->reach))
         look_through(&visit->sight, &visit->ground, window, tile,
-                     visit->found);
+                     found);
     else
-        ask_far(visit->sight.sift, &visit->ground, *tile, visit->found);
+        ask_far(visit->sight.sift, &visit->ground, *tile, found);
 }
 //<
 
 //> Search near and far by tiles
-// The furthest are carried home when all the nearest are there: the
-// cache has room for one half of the answers rather than for both.
-static void carry_home(const struct question *question,
-                       const struct sorted *sorted,
-                       const struct answers *found,
-                       struct answers *answers)
-{
-    const uint32_t *point = sorted->cells.point;
-#pragma omp parallel for num_threads(question->threads)
-    for (uint32_t s = 0; s < sorted->points.n; s++) {
-        answers->furthest[point[s]] = found->furthest[s];
-        answers->furthest2[point[s]] = found->furthest2[s];
-    }
-}
-
 void search_far_tiles(const struct question *question,
-                      const struct sorted *sorted,
+                      const struct carried *carried,
                       struct answers *answers)
 {
-    const uint32_t n = sorted->points.n;
-    struct answers found = {.furthest = allocate(n, sizeof(uint32_t)),
-                            .furthest2 = allocate(n, sizeof(double))};
-    struct rows rows = rows_find(sorted);
-    const struct far_visit far = {sight_of(isa_chosen()),
-                                  {sorted, &rows, question->space},
-                                  &found};
+    struct rows rows = rows_find(&carried->sorted);
+    const struct far_visit far = {
+        sight_of(isa_chosen()),
+        {&carried->sorted, &rows, question->space}};
     const struct visit visit = {visit_far, &far};
-    search_and_visit(question, sorted, &visit, answers);
-    carry_home(question, sorted, &found, answers);
+    search_and_visit(question, carried, &visit, answers);
     rows_free(&rows);
-    answers_free(&found);
 }
 //<
 //<

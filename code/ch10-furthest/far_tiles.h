@@ -6,13 +6,13 @@
 // rounding, nobody else can be. Those for whom that does not settle it
 // look around, and then from outside.
 #pragma once
-#include "ch04-cell-sort/sorted.h"
+#include "ch09-row-spans/carry.h"
 
 // Only with wraparound; threads and space are the question's, the
 // instruction set is isa_chosen(). The points may have any number in a
 // cell, where they stand in ascending order. The nearest are found,
-// too, and left where they are if their arrays are NULL.
+// too, and not sent back if their arrays are NULL.
 void search_far_tiles(const struct question *question,
-                      const struct sorted *sorted,
+                      const struct carried *carried,
                       struct answers *answers);
 //<

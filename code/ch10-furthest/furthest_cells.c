@@ -74,10 +74,11 @@ void search_furthest_cells(const struct question *question,
 void furthest_cells(const struct question *question,
                     struct answers *answers)
 {
-    struct sorted sorted = sorted_carry(question, POINTS_PER_FAR_CELL);
+    struct carried carried =
+        carry_points(question, POINTS_PER_FAR_CELL);
     answers->built_ns = clock_ns();
-    search_furthest_cells(question, &sorted, answers);
-    sorted_free(&sorted);
+    search_furthest_cells(question, &carried.sorted, answers);
+    carried_free(&carried);
 }
 //<
 //<

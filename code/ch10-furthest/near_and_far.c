@@ -27,17 +27,18 @@ static void furthest_among(const struct question *question,
 
 //> Sort once for both
 static void search_near_and_far(const struct question *question,
-                                const struct sorted *sorted,
+                                const struct carried *carried,
                                 struct answers *answers)
 {
     if (answers->furthest && question->space.geometry == WRAPAROUND) {
-        search_far_tiles(question, sorted, answers);
+        search_far_tiles(question, carried, answers);
         return;
     }
     if (answers->nearest)
-        search_row_spans(question, sorted, TOGETHER, answers);
+        search_row_spans(question, carried, TOGETHER, answers);
     if (answers->furthest)
-        furthest_among(question, corners_on_rim(question, sorted),
+        furthest_among(question,
+                       corners_on_rim(question, &carried->sorted),
                        answers);
 }
 
@@ -49,10 +50,10 @@ void near_and_far(const struct question *question,
         return;
     }
     // Whoever looks far, too, likes a cell a little fuller.
-    struct sorted sorted = sorted_carry(question, POINTS_PER_CELL);
+    struct carried carried = carry_points(question, POINTS_PER_CELL);
     answers->built_ns = clock_ns();
-    search_near_and_far(question, &sorted, answers);
-    sorted_free(&sorted);
+    search_near_and_far(question, &carried, answers);
+    carried_free(&carried);
 }
 //<
 //<

@@ -2,7 +2,6 @@
 // the plainest search there is, in every manner of asking, for any
 // number of points to a cell. For tests/instructions, too.
 #pragma once
-#include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/manners.h"
 
 #include "common/generate.h"
@@ -80,7 +79,7 @@ static inline void check_spans_of(span_search *search, const char *isa,
     search_plainly(&question, &right);
     for (int k = 0; k < SPAN_DENSITIES; k++) {
         struct sorted sorted =
-            sorted_carry(&question, span_densities[k]);
+            sorted_make(&question, span_densities[k], cells_sort_alone);
         for (int manner = 0; manner < MANNERS; manner++) {
             search_in_pieces(&checked, &question, &sorted, manner,
                              k % 2 ? UINT32_MAX : 13, &found);

@@ -35,6 +35,18 @@ static void check_same(const struct sorted *right,
         "%s: y", what);
 }
 
+// Whoever stands at a place came in the parcel he was sent in.
+static void check_parcels(const struct carried *carried,
+                          const char *what)
+{
+    const uint32_t n = carried->sorted.points.n;
+    for (uint32_t s = 0; s < n; s++)
+        if (!CHECK_INT(carried->sent[carried->sorted.cells.point[s]],
+                       carried->came[s], "%s: parcel to place %u", what,
+                       s))
+            return; // one is enough
+}
+
 static void carried_as_sorted(void)
 {
     static const uint32_t lengths[] = {2, 3, 100, 511, 513, 40000};
@@ -54,14 +66,15 @@ static void carried_as_sorted(void)
                     sorted_make(&question, c[each], cells_sort_alone);
                 for (int t = 0; t < 6; t++) {
                     question.threads = threads[t];
-                    struct sorted found =
-                        sorted_carry(&question, c[each]);
+                    struct carried found =
+                        carry_points(&question, c[each]);
                     snprintf(what, sizeof what,
                              "%u %s points, c %g, %d threads",
                              lengths[k], distributions[d].name, c[each],
                              threads[t]);
-                    check_same(&right, &found, what);
-                    sorted_free(&found);
+                    check_same(&right, &found.sorted, what);
+                    check_parcels(&found, what);
+                    carried_free(&found);
                 }
                 sorted_free(&right);
             }
@@ -97,7 +110,7 @@ static void turns_of_any_length(void)
     test_seed(7);
     struct points points = generate(find_distribution("uniform"), n, 7);
     struct question question = {points, {STANDARD, 1, 1}, 1};
-    struct sorted sorted = sorted_carry(&question, 2);
+    struct sorted sorted = sorted_make(&question, 2, cells_sort_alone);
     struct answers right = answers_allocate(n);
     struct answers found = answers_allocate(n);
     search_plainly(&question, &right);

@@ -499,7 +499,7 @@ static uint32_t wrong_answers(struct points points,
                               sorted_search *search, double c)
 {
     struct question question = ask(points, STANDARD, 2);
-    struct sorted sorted = sorted_carry(&question, c);
+    struct sorted sorted = sorted_make(&question, c, cells_sort_alone);
     struct answers right = answers_allocate(points.n);
     struct answers found = answers_for(points.n, FURTHEST);
     search_plainly(&question, &right);
@@ -563,7 +563,8 @@ static void tricks_count(void)
     const double expected[] = {4 * edge - 4, 4 + 16 / edge};
     struct points points = generate(find_distribution("uniform"), n, 1);
     struct question question = ask(points, STANDARD, 2);
-    struct sorted sorted = sorted_carry(&question, TRUSTED);
+    struct sorted sorted =
+        sorted_make(&question, TRUSTED, cells_sort_alone);
     struct answers found = answers_for(n, FURTHEST);
     for (int trick = 0; trick < 2; trick++) {
         double cells = expected[trick];
