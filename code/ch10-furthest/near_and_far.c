@@ -5,7 +5,7 @@
 #include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/row_spans.h"
 #include "ch10-furthest/far_tiles.h"
-#include "ch10-furthest/few_corners.h"
+#include "ch10-furthest/regions.h"
 #include "ch10-furthest/rim.h"
 #include "common/clock.h"
 

@@ -1,11 +1,11 @@
 //> Cut the box into regions
-// See few_corners.h. Here coordinates are measured from the box's lower
+// See regions.h. Here coordinates are measured from the box's lower
 // left, so that they are as exact as the box is large. Whether a is
 // further than b is decided by |q - a|^2 - |q - b|^2, which changes
 // evenly with q: in a square it is least in one of the four corners of
 // the square. Squared distances, computed here or there, err by less
 // than 2^-50 of that of the box's diagonal, so 2^-46 is a safe margin.
-#include "ch10-furthest/few_corners.h"
+#include "ch10-furthest/regions.h"
 #include "ch05-collisions/home.h"
 #include "common/count.h"
 #include "common/fail.h"
