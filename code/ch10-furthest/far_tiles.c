@@ -104,31 +104,22 @@ INLINED double furthest_outside2(const struct grid *grid,
 //> Look around
 // Shows the sorted points begin .. end - 1 to one who looks far.
 static void look_along(const struct ground *ground, uint32_t begin,
-                       uint32_t end, struct viewer *viewer)
+                       uint32_t end, struct viewers *viewer)
 {
-    const struct points p = ground->sorted->points;
-    const uint32_t *point = ground->sorted->cells.point;
-    for (uint32_t s = begin; s < end; s++) {
-        double far2 = pair2(WRAPAROUND, ground->space,
-                            p.x[s] - viewer->x, p.y[s] - viewer->y)
-                          .far2;
-        if (far2 >= viewer->most2 && point[s] != viewer->self &&
-            (far2 > viewer->most2 || point[s] < viewer->furthest)) {
-            viewer->most2 = far2;
-            viewer->furthest = point[s];
-        }
-    }
+    for (uint32_t s = begin; s < end; s++)
+        show(WRAPAROUND, 1, ground->space, ground->sorted, s, viewer);
     COUNT(distances, end - begin);
 }
 
 // In a block that is wider by a cell on each side. Says whether nobody
 // outside of that can be further.
 static bool look_around(const struct ground *ground,
-                        struct viewer *viewer)
+                        struct viewers *viewer)
 {
     const struct grid *grid = &ground->sorted->grid;
     const uint32_t columns = grid->x.count;
-    const struct block block = block_of(grid, viewer->x, viewer->y, 2);
+    const struct block block =
+        block_of(grid, viewer->x[0], viewer->y[0], 2);
     const uint32_t first = block.x.first, end = first + block.x.count;
     for (uint32_t k = 0; k < block.y.count; k++) {
         const uint32_t *start =
@@ -139,9 +130,9 @@ static bool look_around(const struct ground *ground,
         if (end > columns)
             look_along(ground, start[0], start[end - columns], viewer);
     }
-    return viewer->most2 > furthest_outside2(grid, &block,
-                                             ground->space, viewer->x,
-                                             viewer->y);
+    return viewer->most2[0] >
+           furthest_outside2(grid, &block, ground->space, viewer->x[0],
+                             viewer->y[0]);
 }
 //<
 
@@ -152,15 +143,16 @@ static bool look_around(const struct ground *ground,
 static void look_far_alone(const struct ground *ground, uint32_t s,
                            uint32_t k, struct answers *found)
 {
-    struct viewer viewer = viewer_of(ground->sorted, s);
-    if (found->furthest[k] != viewer.self) {
-        viewer.most2 = found->furthest2[k];
-        viewer.furthest = found->furthest[k];
+    struct viewers viewer;
+    set_viewers(1, ground->sorted, s, &viewer);
+    if (found->furthest[k] != viewer.self[0]) {
+        viewer.most2[0] = found->furthest2[k];
+        viewer.furthest[0] = found->furthest[k];
     }
     if (!look_around(ground, &viewer))
-        seek_far(WRAPAROUND, look_at, ground, &viewer);
-    found->furthest[k] = viewer.furthest;
-    found->furthest2[k] = viewer.most2;
+        seek_far(WRAPAROUND, 1, ground, &viewer);
+    found->furthest[k] = viewer.furthest[0];
+    found->furthest2[k] = viewer.most2[0];
     COUNT(tasks, 1);
 }
 //<

@@ -1,7 +1,7 @@
 //> Search the cells from outside
 // See furthest_cells.h.
 #include "ch10-furthest/furthest_cells.h"
-#include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/send_back.h"
 #include "ch10-furthest/outside.h"
 #include "common/clock.h"
 #include "common/fail.h"
@@ -35,39 +35,98 @@ void rows_free(struct rows *rows)
 }
 //<
 
+//> Say whether eight stand together
+// They must not look all round the ring before they come to others.
+static bool stand_together(const struct sorted *sorted, uint32_t s,
+                           uint32_t end)
+{
+    if (end - s < ABREAST)
+        return false;
+    const uint32_t last = s + ABREAST - 1;
+    const struct axis *across = &sorted->grid.x, *up = &sorted->grid.y;
+    const double *x = sorted->points.x, *y = sorted->points.y;
+    return axis_cell(up, y[s]) == axis_cell(up, y[last]) &&
+           axis_cell(across, x[last]) <
+               axis_cell(across, x[s]) + ABREAST;
+}
+//<
+
+//> Seek together or alone
+// For as many of the sorted points as there are lanes, from s on.
+INLINED void seek_for(const enum geometry geometry,
+                      const uint32_t lanes, const struct ground *ground,
+                      uint32_t s, uint32_t *furthest, double *furthest2)
+{
+    struct viewers viewers;
+    set_viewers(lanes, ground->sorted, s, &viewers);
+    seek_far(geometry, lanes, ground, &viewers);
+    for (uint32_t lane = 0; lane < lanes; lane++) {
+        furthest[lane] = viewers.furthest[lane];
+        furthest2[lane] = viewers.most2[lane];
+    }
+}
+//<
+
 //> Seek for some of the sorted points
 INLINED void seek_for_some(const enum geometry geometry,
-                           const struct ground *ground, uint32_t begin,
-                           uint32_t end, struct answers *answers)
+                           const struct ground *ground,
+                           enum manner manner, uint32_t begin,
+                           uint32_t end, struct answers *found)
 {
-    for (uint32_t s = begin; s < end; s++) {
-        struct viewer viewer = viewer_of(ground->sorted, s);
-        seek_far(geometry, look_at, ground, &viewer);
-        answers->furthest[viewer.self] = viewer.furthest;
-        answers->furthest2[viewer.self] = viewer.most2;
+    uint32_t *furthest = found->furthest;
+    double *furthest2 = found->furthest2;
+    for (uint32_t s = begin, k = 0; s < end; s = begin + k) {
+        if (manner == TOGETHER &&
+            stand_together(ground->sorted, s, end)) {
+            seek_for(geometry, ABREAST, ground, s, furthest + k,
+                     furthest2 + k);
+            k += ABREAST;
+        } else {
+            seek_for(geometry, 1, ground, s, furthest + k,
+                     furthest2 + k);
+            k++;
+        }
     }
 }
 //<
 
 //> Seek by all threads
+// In turns, whose answers go back as the points came.
+static void take_turn(const struct ground *ground, enum manner manner,
+                      uint32_t begin, uint32_t end,
+                      struct answers *found)
+{
+    if (ground->space.geometry == STANDARD)
+        seek_for_some(STANDARD, ground, manner, begin, end, found);
+    else
+        seek_for_some(WRAPAROUND, ground, manner, begin, end, found);
+}
+
 void search_furthest_cells(const struct question *question,
-                           const struct sorted *sorted,
-                           struct answers *answers)
+                           const struct carried *carried,
+                           enum manner manner, struct answers *answers)
 {
     enum { TURN = 256 };
-    const uint32_t n = sorted->points.n, turns = (n - 1) / TURN + 1;
-    struct rows rows = rows_find(sorted);
-    const struct ground ground = {sorted, &rows, question->space};
+    const uint32_t n = question->points.n, turns = (n - 1) / TURN + 1;
+    struct rows rows = rows_find(&carried->sorted);
+    const struct ground ground = {&carried->sorted, &rows,
+                                  question->space};
+    struct findings findings = findings_for(
+        &(struct answers){.furthest = answers->furthest}, n);
 #pragma omp parallel for num_threads(question->threads) \
     schedule(dynamic)
     for (uint32_t turn = 0; turn < turns; turn++) {
-        uint32_t begin = turn * TURN;
-        uint32_t end = n - begin < TURN ? n : begin + TURN;
-        if (question->space.geometry == STANDARD)
-            seek_for_some(STANDARD, &ground, begin, end, answers);
-        else
-            seek_for_some(WRAPAROUND, &ground, begin, end, answers);
+        uint32_t furthest[TURN];
+        double furthest2[TURN];
+        struct answers found = {.furthest = furthest,
+                                .furthest2 = furthest2};
+        uint32_t begin = turn * TURN, left = n - begin;
+        uint32_t end = begin + (left < TURN ? left : TURN);
+        take_turn(&ground, manner, begin, end, &found);
+        findings_pack(carried, begin, end, &found, &findings);
     }
+    findings_send_back(carried, &findings, question->threads, answers);
+    findings_free(&findings);
     rows_free(&rows);
 }
 
@@ -77,7 +136,7 @@ void furthest_cells(const struct question *question,
     struct carried carried =
         carry_points(question, POINTS_PER_FAR_CELL);
     answers->built_ns = clock_ns();
-    search_furthest_cells(question, &carried.sorted, answers);
+    search_furthest_cells(question, &carried, TOGETHER, answers);
     carried_free(&carried);
 }
 //<

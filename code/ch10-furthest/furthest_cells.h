@@ -6,20 +6,23 @@
 // cost nothing, empty rows neither. A few distances a point if the
 // points are scattered evenly; at worst all of them.
 #pragma once
-#include "ch04-cell-sort/sorted.h"
+#include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/manners.h"
 
 // Where this search is fastest on average.
 #define POINTS_PER_FAR_CELL 2.0
 
 // Furthest only; threads and space are the question's. The points may
-// have any number in a cell, where they stand in ascending order.
+// have any number in a cell, where they stand in ascending order. Eight
+// of them look TOGETHER where they stand together, or each ALONE.
 void search_furthest_cells(const struct question *question,
-                           const struct sorted *sorted,
-                           struct answers *answers);
+                           const struct carried *carried,
+                           enum manner manner, struct answers *answers);
 
 // Its counting twin: take the counts with counting_take.
 void counting_search_furthest_cells(const struct question *question,
-                                    const struct sorted *sorted,
+                                    const struct carried *carried,
+                                    enum manner manner,
                                     struct answers *answers);
 
 // The row of the table: sorts, and searches.

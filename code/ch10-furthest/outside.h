@@ -24,12 +24,6 @@ struct ground {
     struct space space;
 };
 
-// Looks at a cell in which nobody is further than bound2.
-typedef void look_function(const enum geometry geometry,
-                           struct space space,
-                           const struct sorted *sorted, uint32_t cell,
-                           double bound2, struct viewer *viewer);
-
 //> Bound the separation from a cell
 // Between x and whatever lies in cell k of the axis. With wraparound a
 // separation d counts as the period less d, if that is more.
@@ -46,26 +40,37 @@ INLINED double far_in(const enum geometry geometry,
 //<
 
 //> Bound the separation from all cells of an axis
-INLINED double far_along(const enum geometry geometry,
-                         const struct axis *axis, double x)
+// Squared, for all who look.
+INLINED void far_along(const enum geometry geometry,
+                       const uint32_t lanes, const struct axis *axis,
+                       const double *x, double *far2)
 {
-    double far =
-        most(x - axis->border[0], axis->border[axis->count] - x);
-    return geometry == STANDARD ? far : most(far, axis->period);
+    const double low = axis->border[0];
+    const double high = axis->border[axis->count];
+    for (uint32_t lane = 0; lane < lanes; lane++) {
+        double far = most(x[lane] - low, high - x[lane]);
+        if (geometry == WRAPAROUND)
+            far = most(far, axis->period);
+        far2[lane] = far * far;
+    }
 }
 //<
 
 //> Hold what is left of a ring
 // Of the places begin .. end - 1, in a ring, those from first to last.
+// It begins with home, where those who look are themselves.
 struct arc {
     uint32_t begin, end, first, last, left;
+    uint32_t others; // who are not at home
 };
 
 INLINED struct arc arc_from(uint32_t begin, uint32_t end,
-                            uint32_t first)
+                            uint32_t first, uint32_t home)
 {
+    first = first < end ? first : begin;
     uint32_t last = first == begin ? end - 1 : first - 1;
-    return (struct arc){begin, end, first, last, end - begin};
+    uint32_t all = end - begin;
+    return (struct arc){begin, end, first, last, all, all - home};
 }
 
 // So many places fewer, at the front or at the back.
@@ -82,27 +87,103 @@ INLINED void arc_shorten(struct arc *arc, bool front, uint32_t by)
 }
 //<
 
+//> Hold an outlook
+// What stays the same along an arc: where on the axis those who look
+// are, how far it is at most on the other one, and how far the two
+// sides of the seam are.
+struct outlook {
+    const struct axis *axis;
+    const double *x, *beside2;
+    double seam[ABREAST];
+};
+
+INLINED void see_seam(const enum geometry geometry,
+                      const uint32_t lanes, uint32_t low, uint32_t high,
+                      struct outlook *outlook)
+{
+    const struct axis *axis = outlook->axis;
+    for (uint32_t lane = 0; lane < lanes; lane++)
+        outlook->seam[lane] =
+            most(far_in(geometry, axis, low, outlook->x[lane]),
+                 far_in(geometry, axis, high, outlook->x[lane]));
+}
+//<
+
 //> Find the further end
-// How far things on the ring can be, whose ends lie in these two cells
-// of the axis. If the ring still goes over the seam, where rounding may
-// differ, its two sides have a say.
+// How far things on the arc can be, whose ends lie in these two cells
+// of the axis. If it still goes over the seam, where rounding may
+// differ, its two sides have a say. As long as home is on it, home
+// comes first, and anything can be there. Else whoever stands in the
+// middle says which end is further.
 struct ends {
-    bool front;       // the further
-    double far, rest; // it alone; all that is left
+    bool front, done;     // the further; nobody need go on
+    double far2[ABREAST]; // the further alone, squared
 };
 
 INLINED struct ends find_ends(const enum geometry geometry,
-                              const struct axis *axis, uint32_t one,
-                              uint32_t other, double x, bool round,
-                              double seam)
+                              const uint32_t lanes, uint32_t one,
+                              uint32_t other, const struct arc *arc,
+                              const struct outlook *outlook,
+                              const struct viewers *viewers)
 {
-    double far = far_in(geometry, axis, one, x);
-    double there = far_in(geometry, axis, other, x);
-    double further = most(far, there);
-    return (struct ends){far >= there, further,
-                         geometry == WRAPAROUND && round
-                             ? most(further, seam)
-                             : further};
+    const struct axis *axis = outlook->axis;
+    const bool round = arc->last < arc->first;
+    const bool home = arc->left > arc->others;
+    double front2[ABREAST], back2[ABREAST];
+    uint32_t some = 0;
+#pragma omp simd reduction(| : some)
+    for (uint32_t lane = 0; lane < lanes; lane++) {
+        double far = far_in(geometry, axis, one, outlook->x[lane]);
+        double there = far_in(geometry, axis, other, outlook->x[lane]);
+        double rest = most(far, there);
+        if (geometry == WRAPAROUND && round)
+            rest = most(rest, outlook->seam[lane]);
+        if (geometry == WRAPAROUND && home)
+            rest = most(rest, axis->period);
+        some |= !(rest * rest + outlook->beside2[lane] <
+                  viewers->most2[lane]);
+        front2[lane] = far * far;
+        back2[lane] = there * there;
+    }
+    struct ends ends = {.done = !some};
+    ends.front = home || front2[lanes / 2] >= back2[lanes / 2];
+    for (uint32_t lane = 0; lane < lanes; lane++)
+        ends.far2[lane] = ends.front ? front2[lane] : back2[lane];
+    return ends;
+}
+//<
+
+//> Lay out all rows, or one
+// With wraparound the ring, cut open before the first of those who
+// look. They are in one row, and in a row anywhere, but in order.
+INLINED struct arc lay_out_rows(const enum geometry geometry,
+                                const uint32_t lanes,
+                                const struct rows *rows,
+                                struct outlook *outlook)
+{
+    if (geometry == STANDARD)
+        return arc_from(0, rows->count, 0, 0);
+    see_seam(geometry, lanes, rows->row[0], rows->row[rows->count - 1],
+             outlook);
+    uint32_t own = axis_cell(outlook->axis, outlook->x[0]);
+    return arc_from(0, rows->count, rows->place[own], 1);
+}
+
+INLINED struct arc lay_out_row(const enum geometry geometry,
+                               const uint32_t lanes,
+                               const struct points points,
+                               const uint32_t *start,
+                               struct outlook *outlook)
+{
+    const struct axis *axis = outlook->axis;
+    const uint32_t begin = start[0], end = start[axis->count];
+    if (geometry == STANDARD)
+        return arc_from(begin, end, begin, 0);
+    see_seam(geometry, lanes, axis_cell(axis, points.x[begin]),
+             axis_cell(axis, points.x[end - 1]), outlook);
+    uint32_t first = start[axis_cell(axis, outlook->x[0])];
+    uint32_t next = start[axis_cell(axis, outlook->x[lanes - 1]) + 1];
+    return arc_from(begin, end, first, next - first);
 }
 //<
 
@@ -110,70 +191,53 @@ INLINED struct ends find_ends(const enum geometry geometry,
 // Cells from both ends of what is left of the row, that first which may
 // have somebody further. Up2 is how far the row is.
 INLINED void seek_in_row(const enum geometry geometry,
-                         look_function *look,
+                         const uint32_t lanes,
                          const struct ground *ground, uint32_t row,
-                         double up2, struct viewer *viewer)
+                         const double *up2, struct viewers *viewers)
 {
-    const struct axis *axis = &ground->sorted->grid.x;
-    const double *x = ground->sorted->points.x;
+    const struct sorted *sorted = ground->sorted;
+    const struct axis *axis = &sorted->grid.x;
+    const double *x = sorted->points.x;
     const uint32_t base = row * axis->count;
-    const uint32_t *start = ground->sorted->cells.start + base;
-    const uint32_t begin = start[0], end = start[axis->count];
-    uint32_t first = begin;
-    double seam = 0;
-    if (geometry == WRAPAROUND) {
-        first = start[axis_cell(axis, viewer->x)];
-        first = first < end ? first : begin;
-        seam = most(far_in(geometry, axis, axis_cell(axis, x[begin]),
-                           viewer->x),
-                    far_in(geometry, axis, axis_cell(axis, x[end - 1]),
-                           viewer->x));
-    }
-    struct arc arc = arc_from(begin, end, first);
+    const uint32_t *start = sorted->cells.start + base;
+    struct outlook outlook = {axis, viewers->x, up2, {0}};
+    struct arc arc =
+        lay_out_row(geometry, lanes, sorted->points, start, &outlook);
     while (arc.left > 0) {
         uint32_t one = axis_cell(axis, x[arc.first]);
         uint32_t other = axis_cell(axis, x[arc.last]);
-        struct ends ends =
-            find_ends(geometry, axis, one, other, viewer->x,
-                      arc.last < arc.first, seam);
-        if (ends.rest * ends.rest + up2 < viewer->most2)
+        struct ends ends = find_ends(geometry, lanes, one, other, &arc,
+                                     &outlook, viewers);
+        if (ends.done)
             break;
         uint32_t k = ends.front ? one : other;
-        look(geometry, ground->space, ground->sorted, base + k,
-             ends.far * ends.far + up2, viewer);
+        look_at(geometry, lanes, ground->space, sorted, base + k,
+                ends.far2, up2, viewers);
         arc_shorten(&arc, ends.front, start[k + 1] - start[k]);
     }
 }
 //<
 
 //> Seek from the outermost row inwards
-INLINED void seek_far(const enum geometry geometry, look_function *look,
-                      const struct ground *ground,
-                      struct viewer *viewer)
+INLINED void seek_far(const enum geometry geometry,
+                      const uint32_t lanes, const struct ground *ground,
+                      struct viewers *viewers)
 {
     const struct grid *grid = &ground->sorted->grid;
-    const struct axis *axis = &grid->y;
-    const struct rows *rows = ground->rows;
-    const double far = far_along(geometry, &grid->x, viewer->x);
-    uint32_t first = 0;
-    double seam = 0;
-    if (geometry == WRAPAROUND) {
-        first = rows->place[axis_cell(axis, viewer->y)];
-        seam = most(far_in(geometry, axis, rows->row[0], viewer->y),
-                    far_in(geometry, axis, rows->row[rows->count - 1],
-                           viewer->y));
-    }
-    struct arc arc = arc_from(0, rows->count, first);
+    const uint32_t *row = ground->rows->row;
+    double far2[ABREAST];
+    far_along(geometry, lanes, &grid->x, viewers->x, far2);
+    struct outlook outlook = {&grid->y, viewers->y, far2, {0}};
+    struct arc arc =
+        lay_out_rows(geometry, lanes, ground->rows, &outlook);
     while (arc.left > 0) {
-        uint32_t one = rows->row[arc.first];
-        uint32_t other = rows->row[arc.last];
-        struct ends ends =
-            find_ends(geometry, axis, one, other, viewer->y,
-                      arc.last < arc.first, seam);
-        if (far * far + ends.rest * ends.rest < viewer->most2)
+        uint32_t one = row[arc.first], other = row[arc.last];
+        struct ends ends = find_ends(geometry, lanes, one, other, &arc,
+                                     &outlook, viewers);
+        if (ends.done)
             break;
-        seek_in_row(geometry, look, ground, ends.front ? one : other,
-                    ends.far * ends.far, viewer);
+        seek_in_row(geometry, lanes, ground, ends.front ? one : other,
+                    ends.far2, viewers);
         arc_shorten(&arc, ends.front, 1);
     }
 }

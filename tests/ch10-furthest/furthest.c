@@ -187,6 +187,45 @@ static void shapes_that_hurt(void)
         }
 }
 
+// Eight that follow each other, at every place of rows of all lengths,
+// turns that end within eight, and threads: whether they look together
+// or alone, each has his own answer.
+static void check_manners(struct points points, double c)
+{
+    struct answers right = answers_allocate(points.n);
+    struct answers found = answers_for(points.n, FURTHEST);
+    for (int g = STANDARD; g <= WRAPAROUND; g++) {
+        struct question question = ask(points, g, 2);
+        struct carried carried = carry_points(&question, c);
+        search_plainly(&question, &right);
+        for (int manner = TOGETHER; manner <= ALONE; manner++) {
+            memset(found.furthest, 0xA5, points.n * 4);
+            memset(found.furthest2, 0xA5, points.n * 8);
+            search_furthest_cells(&question, &carried, manner, &found);
+            CHECK_INT(0, count_wrong(&right, &found, points.n),
+                      "%u points, geometry %d, %g in a cell, manner %d",
+                      points.n, g, c, manner);
+        }
+        carried_free(&carried);
+    }
+    answers_free(&found);
+    answers_free(&right);
+}
+
+static void rows_of_all_lengths(void)
+{
+    static const double fullness[] = {0.1, 0.5, 2, 7, 40};
+    for (uint32_t n = 2; n <= 700; n += n < 40 ? 1 : 61)
+        for (int k = 0; k < 5; k++)
+            for (int d = 0; d < 3; d++) {
+                struct points points =
+                    generate(&distributions[d], n, n);
+                test_seed(n);
+                check_manners(points, fullness[k]);
+                points_free(&points);
+            }
+}
+
 // A coordinate for a file of cities: few digits, thousands of ties.
 static void few_digits(void)
 {
@@ -428,15 +467,20 @@ static void corners_of_any_threads(void)
 }
 
 // ---- counts and means ----------------------------------------------
-static struct counts count_far(enum geometry geometry, uint32_t n,
+static struct counts count_far(enum geometry geometry,
+                               enum manner manner, uint32_t n,
                                uint64_t seed)
 {
     struct points points =
         generate(find_distribution("uniform"), n, seed);
     struct question question = {points, {geometry, 1, 1}, 2};
     struct answers found = answers_for(n, FURTHEST);
-    struct counts counts = count_operations(
-        find_algorithm("furthest-cells"), &question, &found);
+    struct carried carried =
+        carry_points(&question, POINTS_PER_FAR_CELL);
+    counting_take();
+    counting_search_furthest_cells(&question, &carried, manner, &found);
+    struct counts counts = counting_take();
+    carried_free(&carried);
     answers_free(&found);
     points_free(&points);
     return counts;
@@ -452,7 +496,7 @@ static void check_counts(enum geometry geometry, uint32_t n, int sets)
     const double full = own + (cells - own) * (1 - exp(-c));
     double looked = 0, asked = 0;
     for (int seed = 0; seed < sets; seed++) {
-        struct counts counts = count_far(geometry, n, seed);
+        struct counts counts = count_far(geometry, ALONE, n, seed);
         looked += (double)counts.cells / n / sets;
         asked += (double)counts.distances / n / sets;
     }
@@ -460,6 +504,27 @@ static void check_counts(enum geometry geometry, uint32_t n, int sets)
                "cells, geometry %d, %u points", geometry, n);
     CHECK_NEAR(c * cells + own, asked, 0.2 * (c * cells + own),
                "distances, geometry %d, %u points", geometry, n);
+}
+
+// Eight together look at what any of them wants. In the standard
+// geometry, the wider the grid, the more they are of one mind; with
+// wraparound home is what they look at, and they have several.
+static void check_together(enum geometry geometry, uint32_t n,
+                           double most)
+{
+    struct counts alone = count_far(geometry, ALONE, n, 1);
+    struct counts together = count_far(geometry, TOGETHER, n, 1);
+    double times = (double)together.distances / alone.distances;
+    CHECK(1 <= times && times < most,
+          "geometry %d, %u points: %g times as many distances",
+          geometry, n, times);
+}
+
+static void eight_want_little_more(void)
+{
+    check_together(STANDARD, 10000, 1.2);
+    check_together(STANDARD, 1000000, 1.03);
+    check_together(WRAPAROUND, 100000, 4);
 }
 
 static void counts_as_expected(void)
@@ -585,11 +650,12 @@ int main(void)
     return RUN_TESTS(
         "ch10-furthest", TEST(every_generator),
         TEST(moved_and_stretched), TEST(shapes_that_hurt),
-        TEST(few_digits), TEST(halves_left_out),
-        TEST(boxes_of_all_shapes), TEST(all_instruction_sets),
-        TEST(few_look_from_outside), TEST(corners_as_expected),
-        TEST(corners_of_shapes), TEST(corners_of_any_threads),
-        TEST(counts_as_expected), TEST(means_as_reported),
+        TEST(rows_of_all_lengths), TEST(few_digits),
+        TEST(halves_left_out), TEST(boxes_of_all_shapes),
+        TEST(all_instruction_sets), TEST(few_look_from_outside),
+        TEST(corners_as_expected), TEST(corners_of_shapes),
+        TEST(corners_of_any_threads), TEST(counts_as_expected),
+        TEST(eight_want_little_more), TEST(means_as_reported),
         TEST(tricks_that_work), TEST(edge_cells_fail),
         TEST(corner_trick_fails), TEST(tricks_count));
 }
