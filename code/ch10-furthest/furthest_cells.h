@@ -10,7 +10,7 @@
 #include "ch09-row-spans/manners.h"
 
 // Where this search is fastest on average.
-#define POINTS_PER_FAR_CELL 2.0
+#define POINTS_PER_FAR_CELL 4.0
 
 // Furthest only; threads and space are the question's. The points may
 // have any number in a cell, where they stand in ascending order. Eight
