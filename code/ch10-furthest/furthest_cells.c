@@ -36,8 +36,8 @@ void rows_free(struct rows *rows)
 //<
 
 //> Say whether eight stand together
-// In one row, so that with wraparound their homes are one stretch, and a
-// short one, for it is looked at first.
+// In one row, so that with wraparound their homes are one stretch, and
+// a short one, for it is looked at first.
 static bool stand_together(const struct sorted *sorted, uint32_t s,
                            uint32_t end)
 {

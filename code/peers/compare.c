@@ -9,7 +9,6 @@
 // times as many for few points, and fewer where a program would be at
 // it for more than so many SECONDS.
 #include "algorithms.h"
-#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/generate.h"
@@ -130,7 +129,6 @@ static void compete_for(uint32_t n, const struct rules *rules,
 int main(int argc, char **argv)
 {
     fail_as("compare", NULL);
-    memory_keep();
     uint32_t largest =
         argument(argc, argv, 1, "LARGEST", 10000, FEWEST, MANY);
     int trials =
