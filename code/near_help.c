@@ -145,7 +145,7 @@ static const char *const manual[] = {
 
     "",
     "MEMORY AND TIME",
-    "All points are held in memory. Count on 100 bytes for each, and",
+    "All points are held in memory. Count on 110 bytes for each, and",
     "on a few million for each thread. If the points are spread",
     "evenly, to read them from a file or to write the answers takes",
     "longer than to find them. While work is long and standard error",

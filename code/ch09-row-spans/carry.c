@@ -8,8 +8,9 @@
 #include <string.h>
 
 //> Choose a band that fits the cache
-// The points of 2^12 cells, coming and going, are some 300 KB. A small
-// grid is cut into at least so many bands, for the threads to share.
+// The points of 2^12 cells, coming and going, are some 300 KB if there
+// are 1.5 in each. A small grid is cut into at least so many bands, for
+// the threads to share.
 enum { WIDEST_SHIFT = 12, FEWEST_BANDS = 128, STRIP = 512 };
 
 static int band_shift(uint32_t m)

@@ -9,8 +9,8 @@
 //> Remember how the points came
 struct carried {
     struct sorted sorted;
-    uint32_t *sent; // point i was sent in parcel sent[i], and who is
-    uint32_t *came; // at place s came in parcel came[s]
+    uint32_t *sent; // sent[i]: in which parcel point i went
+    uint32_t *came; // came[s]: in which that at place s came
 };
 //<
 

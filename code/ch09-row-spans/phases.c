@@ -57,22 +57,21 @@ static void search(void *context)
 static void search_in_short_turns(void *context)
 {
     struct phases *p = context;
-    search_in_turns(&p->question, &p->carried.sorted, TOGETHER, 8,
-                    p->answers);
+    search_in_turns(&p->question, &p->carried.sorted, 8, p->answers);
 }
 
 static void search_in_long_turns(void *context)
 {
     struct phases *p = context;
-    search_in_turns(&p->question, &p->carried.sorted, TOGETHER,
-                    LONGEST_TURN, p->answers);
+    search_in_turns(&p->question, &p->carried.sorted, LONGEST_TURN,
+                    p->answers);
 }
 
 static void search_at_home(void *context)
 {
     struct phases *p = context;
-    search_in_turns(&p->question, &p->at_home.sorted, TOGETHER,
-                    LONGEST_TURN, p->answers);
+    search_in_turns(&p->question, &p->at_home.sorted, LONGEST_TURN,
+                    p->answers);
 }
 
 static void all(void *context)

@@ -65,10 +65,10 @@ static void find_turn(span_search *search, const struct turns *turns,
 static void take_turns(const struct turns *turns)
 {
     const uint32_t n = turns->sorted->points.n, length = turns->length;
-    const uint32_t count = (n - 1) / length + 1;
-    span_search *search = search_for(isa_chosen());
     assert(1 <= length && length <= LONGEST_TURN &&
            "a turn keeps its answers");
+    const uint32_t count = (n - 1) / length + 1;
+    span_search *search = search_for(isa_chosen());
 #pragma omp parallel for num_threads(turns->question->threads) \
     schedule(dynamic)
     for (uint32_t turn = 0; turn < count; turn++) {
@@ -98,11 +98,11 @@ static void take_home(void *context, uint32_t begin, uint32_t end,
 //<
 
 void search_in_turns(const struct question *question,
-                     const struct sorted *sorted, enum manner manner,
-                     uint32_t length, struct answers *answers)
+                     const struct sorted *sorted, uint32_t length,
+                     struct answers *answers)
 {
     struct straight_home home = {sorted->cells.point, answers};
-    take_turns(&(struct turns){question, sorted, manner, NULL, length,
+    take_turns(&(struct turns){question, sorted, TOGETHER, NULL, length,
                                take_home, &home});
 }
 
@@ -112,8 +112,8 @@ struct way_back {
     struct findings findings;
 };
 
-static void pack(void *context, uint32_t begin, uint32_t end,
-                 const struct answers *found)
+static void send_turn(void *context, uint32_t begin, uint32_t end,
+                      const struct answers *found)
 {
     const struct way_back *back = context;
     findings_pack(back->carried, begin, end, found, &back->findings);
@@ -128,7 +128,7 @@ static void search_and_send_back(const struct question *question,
     struct way_back back = {carried,
                             findings_for(answers, question->points.n)};
     take_turns(&(struct turns){question, &carried->sorted, manner,
-                               visit, LONGEST_TURN, pack, &back});
+                               visit, LONGEST_TURN, send_turn, &back});
     findings_send_back(carried, &back.findings, question->threads,
                        answers);
     findings_free(&back.findings);

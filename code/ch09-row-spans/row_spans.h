@@ -28,17 +28,16 @@ void counting_search_row_spans(const struct question *question,
                                enum manner manner,
                                struct answers *answers);
 
-// The same for points that may be sorted in any way, in turns of at
+// Together, for points that may be sorted in any way, in turns of at
 // most LONGEST_TURN: so many answers are kept before they are taken
 // straight to their places.
 enum { LONGEST_TURN = 1024 };
 void search_in_turns(const struct question *question,
-                     const struct sorted *sorted, enum manner manner,
-                     uint32_t length, struct answers *answers);
+                     const struct sorted *sorted, uint32_t length,
+                     struct answers *answers);
 
-// Together, with a visit to every tile, which finds the furthest if
-// they are asked for. The nearest are not sent back if their arrays are
-// NULL.
+// Together, with a visit to every tile, which finds the furthest. A
+// half whose arrays are NULL is not sent back.
 void search_and_visit(const struct question *question,
                       const struct carried *carried,
                       const struct visit *visit,

@@ -1,9 +1,9 @@
 //> Declare the way back
 // Who asks in the order of the cells has his answers in that order, and
 // they are wanted in the order of the input. So they go back in the
-// parcels in which the points came: a band at a time into the parcels,
-// which a cache has room for, and then to the senders, who find their
-// parcels in streams, one for each band.
+// parcels in which the points came: into the parcels of a band, which
+// fit a cache, and then to the senders, who find theirs in streams, one
+// for each band.
 #pragma once
 #include "ch09-row-spans/carry.h"
 

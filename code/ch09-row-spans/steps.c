@@ -10,6 +10,7 @@
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch04-cell-sort/together.h"
 #include "ch09-row-spans/carry.h"
+#include "ch09-row-spans/keep.h"
 #include "ch09-row-spans/portable_spans.h"
 #include "ch09-row-spans/row_spans.h"
 #include "common/argument.h"
@@ -111,6 +112,7 @@ static struct counts count_step(struct steps *s, enum step step)
 int main(int argc, char **argv)
 {
     fail_as("steps", NULL);
+    memory_keep();
     static const struct {
         const char *name;
         void (*work)(void *);

@@ -138,8 +138,7 @@ static bool look_around(const struct ground *ground,
 
 //> Look far alone
 // Whoever was found already need not be found again. Who still cannot
-// be sure begins from outside.
-// Number k of found is the sorted point s.
+// be sure begins from outside. Number k of found is sorted point s.
 static void look_far_alone(const struct ground *ground, uint32_t s,
                            uint32_t k, struct answers *found)
 {

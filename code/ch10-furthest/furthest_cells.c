@@ -92,7 +92,6 @@ INLINED void seek_for_some(const enum geometry geometry,
 //<
 
 //> Seek by all threads
-// In turns, whose answers go back as the points came.
 static void take_turn(const struct ground *ground, enum manner manner,
                       uint32_t begin, uint32_t end,
                       struct answers *found)
@@ -103,6 +102,7 @@ static void take_turn(const struct ground *ground, enum manner manner,
         seek_for_some(WRAPAROUND, ground, manner, begin, end, found);
 }
 
+// In turns, whose answers go back as the points came.
 void search_furthest_cells(const struct question *question,
                            const struct carried *carried,
                            enum manner manner, struct answers *answers)

@@ -14,7 +14,7 @@
 
 // Furthest only; threads and space are the question's. The points may
 // have any number in a cell, where they stand in ascending order. Eight
-// of them look TOGETHER where they stand together, or each ALONE.
+// of them look TOGETHER where they stand together, or else each alone.
 void search_furthest_cells(const struct question *question,
                            const struct carried *carried,
                            enum manner manner, struct answers *answers);

@@ -58,7 +58,7 @@ INLINED void far_along(const enum geometry geometry,
 
 //> Hold what is left of a ring
 // Of the places begin .. end - 1, in a ring, those from first to last.
-// It begins with home, where those who look are themselves.
+// With wraparound it begins with home, where those who look are.
 struct arc {
     uint32_t begin, end, first, last, left;
     uint32_t others; // who are not at home
@@ -116,7 +116,7 @@ INLINED void see_seam(const enum geometry geometry,
 // comes first, and anything can be there. Else whoever stands in the
 // middle says which end is further.
 struct ends {
-    bool front, done;     // the further; nobody need go on
+    bool front, done;     // which is further; nobody gains
     double far2[ABREAST]; // the further alone, squared
 };
 

@@ -1,7 +1,7 @@
 //> Declare who looks far
 // Those who look for their furthest points, in cells that others choose
-// for them: eight together, each in a lane, or one alone. As many lanes
-// are constant in a copy of a function.
+// for them: eight together, each in a lane, or one alone. How many
+// is a constant in each copy of a function.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
@@ -79,7 +79,7 @@ INLINED bool some_hope(const uint32_t lanes, const double *across2,
 //> Look far in a cell
 // Nobody in it is further than across2 + up2. Once everybody knows
 // somebody as far as that, the rest of the cell need not be shown:
-// their indices are higher. Eight ask themselves after every eighth.
+// their indices are higher. Eight ask after every eighth point.
 INLINED void look_at(const enum geometry geometry, const uint32_t lanes,
                      struct space space, const struct sorted *sorted,
                      uint32_t cell, const double *across2,

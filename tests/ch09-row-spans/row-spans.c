@@ -118,7 +118,7 @@ static void turns_of_any_length(void)
         question.threads = length % 3 + 1;
         memset(found.nearest, 0xA5, n * sizeof *found.nearest);
         memset(found.nearest2, 0xA5, n * sizeof *found.nearest2);
-        search_in_turns(&question, &sorted, TOGETHER, length, &found);
+        search_in_turns(&question, &sorted, length, &found);
         CHECK_INT(0,
                   memcmp(right.nearest, found.nearest,
                          n * sizeof *found.nearest),
