@@ -61,7 +61,15 @@ static void find_turn(span_search *search, const struct turns *turns,
 //<
 
 //> Take turns
-// A crowded cell is many turns, for all threads.
+// A crowded cell is many turns, for all threads. But a thread takes
+// some that follow each other, as long as there are plenty: they put
+// their answers into the same parcels.
+static int turns_at_once(uint32_t count, int threads)
+{
+    uint32_t share = count / 16 / (uint32_t)threads;
+    return share < 1 ? 1 : share > 8 ? 8 : (int)share;
+}
+
 static void take_turns(const struct turns *turns)
 {
     const uint32_t n = turns->sorted->points.n, length = turns->length;
@@ -69,8 +77,9 @@ static void take_turns(const struct turns *turns)
            "a turn keeps its answers");
     const uint32_t count = (n - 1) / length + 1;
     span_search *search = search_for(isa_chosen());
-#pragma omp parallel for num_threads(turns->question->threads) \
-    schedule(dynamic)
+    const int threads = turns->question->threads;
+#pragma omp parallel for num_threads(threads) \
+    schedule(dynamic, turns_at_once(count, threads))
     for (uint32_t turn = 0; turn < count; turn++) {
         uint32_t begin = turn * length, left = n - begin;
         find_turn(search, turns, begin,

@@ -107,7 +107,7 @@ void search_furthest_cells(const struct question *question,
                            const struct carried *carried,
                            enum manner manner, struct answers *answers)
 {
-    enum { TURN = 256 };
+    enum { TURN = 1024 };
     const uint32_t n = question->points.n, turns = (n - 1) / TURN + 1;
     struct rows rows = rows_find(&carried->sorted);
     const struct ground ground = {&carried->sorted, &rows,
