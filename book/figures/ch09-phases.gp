@@ -10,6 +10,6 @@ set ylabel "ns a point"
 set yrange [0:*]
 set bmargin 3
 set key outside top center horizontal
-set xtics ("fit" 0, "chapter\n5" 1, "sort,\ncarry" 2, "turns\nof 8" 3, "turns of\n1,024" 4, "search" 5, "answers\nstay" 6, "all" 7, "floor" 8) scale 0
+set xtics ("fit" 0, "chapter\n5" 1, "sort,\ncarry" 2, "turns\nof 8" 3, "of\n1,024" 4, "search" 5, "at\nhome" 6, "all" 7, "floor" 8) scale 0
 plot table using "one" lt 1 fs solid 0.35 title "one thread", \
      "" using "all" lt 2 fs pattern 4 title "all processors"
