@@ -68,7 +68,7 @@ static struct run run_peer(const struct peer *peer, int leaf,
 
 //> Repeat a run
 // Where there are several trials, one more comes before them, untimed:
-// then all work in memory that is not fresh from the system.
+// then nobody pays for being the first.
 static struct times repeat(const struct program *program, int leaf,
                            const struct ground *ground, int threads,
                            int trials, struct answers *answers)
