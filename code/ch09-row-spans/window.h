@@ -271,17 +271,20 @@ INLINED void go_by_windows(const enum geometry geometry,
         bool open = open_window(geometry, frame, sorted, &window);
         struct tile tile = before_tiles(sorted, &window, begin);
         while (next_tile(sorted, &window, &tile)) {
-            struct tile copy = tile; // so tile can stay in registers
             bool ready = open && tile_is_whole(sorted, &tile);
-            if (ready)
+            if (ready) {
                 ask_window(geometry, glance, meet, space, sorted,
                            &window, &tile, found);
-            else
+            } else {
+                struct tile copy = tile; // so tile stays in registers
                 ask_together(geometry, stage, sift, meet, space, sorted,
                              &copy, found);
-            if (visit)
+            }
+            if (visit) {
+                struct tile copy = tile;
                 visit->tile(visit->context, ready ? &window : NULL,
                             &copy, found);
+            }
         }
     }
 }

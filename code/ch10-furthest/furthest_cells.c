@@ -62,7 +62,7 @@ INLINED void seek_for(const enum geometry geometry,
     set_viewers(lanes, ground->sorted, s, &viewers);
     seek_far(geometry, lanes, ground, &viewers);
     for (uint32_t lane = 0; lane < lanes; lane++) {
-        furthest[lane] = viewers.furthest[lane];
+        furthest[lane] = (uint32_t)viewers.furthest[lane];
         furthest2[lane] = viewers.most2[lane];
     }
 }

@@ -114,22 +114,22 @@ INLINED void see_seam(const enum geometry geometry,
 // of the axis. If it still goes over the seam, where rounding may
 // differ, its two sides have a say. As long as home is on it, home
 // comes first, and anything can be there. Else whoever stands in the
-// middle says which end is further.
+// middle says which end is further. Filled in where they are: so many
+// doubles are not to be copied.
 struct ends {
-    bool front, done;     // which is further; nobody gains
-    double far2[ABREAST]; // the further alone, squared
+    bool front, done; // which is further; nobody gains
+    double front2[ABREAST], back2[ABREAST]; // how far, squared
 };
 
-INLINED struct ends find_ends(const enum geometry geometry,
-                              const uint32_t lanes, uint32_t one,
-                              uint32_t other, const struct arc *arc,
-                              const struct outlook *outlook,
-                              const struct viewers *viewers)
+INLINED void find_ends(const enum geometry geometry,
+                       const uint32_t lanes, uint32_t one,
+                       uint32_t other, const struct arc *arc,
+                       const struct outlook *outlook,
+                       const struct viewers *viewers, struct ends *ends)
 {
     const struct axis *axis = outlook->axis;
     const bool round = arc->last < arc->first;
     const bool home = arc->left > arc->others;
-    double front2[ABREAST], back2[ABREAST];
     uint32_t some = 0;
 #pragma omp simd reduction(| : some)
     for (uint32_t lane = 0; lane < lanes; lane++) {
@@ -142,14 +142,17 @@ INLINED struct ends find_ends(const enum geometry geometry,
             rest = most(rest, axis->period);
         some |= !(rest * rest + outlook->beside2[lane] <
                   viewers->most2[lane]);
-        front2[lane] = far * far;
-        back2[lane] = there * there;
+        ends->front2[lane] = far * far;
+        ends->back2[lane] = there * there;
     }
-    struct ends ends = {.done = !some};
-    ends.front = home || front2[lanes / 2] >= back2[lanes / 2];
-    for (uint32_t lane = 0; lane < lanes; lane++)
-        ends.far2[lane] = ends.front ? front2[lane] : back2[lane];
-    return ends;
+    const uint32_t middle = lanes / 2;
+    ends->done = !some;
+    ends->front = home || ends->front2[middle] >= ends->back2[middle];
+}
+
+INLINED const double *far_end2(const struct ends *ends)
+{
+    return ends->front ? ends->front2 : ends->back2;
 }
 //<
 
@@ -206,13 +209,14 @@ INLINED void seek_in_row(const enum geometry geometry,
     while (arc.left > 0) {
         uint32_t one = axis_cell(axis, x[arc.first]);
         uint32_t other = axis_cell(axis, x[arc.last]);
-        struct ends ends = find_ends(geometry, lanes, one, other, &arc,
-                                     &outlook, viewers);
+        struct ends ends;
+        find_ends(geometry, lanes, one, other, &arc, &outlook, viewers,
+                  &ends);
         if (ends.done)
             break;
         uint32_t k = ends.front ? one : other;
         look_at(geometry, lanes, ground->space, sorted, base + k,
-                ends.far2, up2, viewers);
+                far_end2(&ends), up2, viewers);
         arc_shorten(&arc, ends.front, start[k + 1] - start[k]);
     }
 }
@@ -232,12 +236,13 @@ INLINED void seek_far(const enum geometry geometry,
         lay_out_rows(geometry, lanes, ground->rows, &outlook);
     while (arc.left > 0) {
         uint32_t one = row[arc.first], other = row[arc.last];
-        struct ends ends = find_ends(geometry, lanes, one, other, &arc,
-                                     &outlook, viewers);
+        struct ends ends;
+        find_ends(geometry, lanes, one, other, &arc, &outlook, viewers,
+                  &ends);
         if (ends.done)
             break;
         seek_in_row(geometry, lanes, ground, ends.front ? one : other,
-                    ends.far2, viewers);
+                    far_end2(&ends), viewers);
         arc_shorten(&arc, ends.front, 1);
     }
 }

@@ -13,7 +13,7 @@ enum { ABREAST = 8 };
 
 struct viewers {
     double x[ABREAST], y[ABREAST], most2[ABREAST];
-    uint32_t self[ABREAST], furthest[ABREAST]; // indices
+    int64_t self[ABREAST], furthest[ABREAST]; // as wide as the rest
 };
 
 // The sorted points from s on. As long as nobody is further than 0, the
@@ -24,7 +24,7 @@ INLINED void set_viewers(const uint32_t lanes,
 {
 #pragma omp simd
     for (uint32_t lane = 0; lane < lanes; lane++) {
-        uint32_t self = sorted->cells.point[s + lane];
+        int64_t self = sorted->cells.point[s + lane];
         viewers->x[lane] = sorted->points.x[s + lane];
         viewers->y[lane] = sorted->points.y[s + lane];
         viewers->most2[lane] = 0;
@@ -41,14 +41,14 @@ INLINED void show(const enum geometry geometry, const uint32_t lanes,
                   uint32_t s, struct viewers *viewers)
 {
     const double x = sorted->points.x[s], y = sorted->points.y[s];
-    const uint32_t i = sorted->cells.point[s];
+    const int64_t i = sorted->cells.point[s];
 #pragma omp simd
     for (uint32_t lane = 0; lane < lanes; lane++) {
         double far2 = pair2(geometry, space, x - viewers->x[lane],
                             y - viewers->y[lane])
                           .far2;
         double most2 = viewers->most2[lane];
-        uint32_t furthest = viewers->furthest[lane];
+        int64_t furthest = viewers->furthest[lane];
         bool further =
             (i != viewers->self[lane]) &
             ((far2 > most2) | ((far2 == most2) & (i < furthest)));
@@ -61,7 +61,7 @@ INLINED void show(const enum geometry geometry, const uint32_t lanes,
 //> Ask whether anybody has hope
 // Of a point no further than across2 + up2, with the index i or more.
 INLINED bool some_hope(const uint32_t lanes, const double *across2,
-                       const double *up2, uint32_t i,
+                       const double *up2, int64_t i,
                        const struct viewers *viewers)
 {
     uint32_t some = 0;
