@@ -222,7 +222,7 @@ INLINED void seek_in_row(const enum geometry geometry,
 }
 //<
 
-//> Seek from the outermost row inwards
+//> Seek from the outermost row inward
 INLINED void seek_far(const enum geometry geometry,
                       const uint32_t lanes, const struct ground *ground,
                       struct viewers *viewers)

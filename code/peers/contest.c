@@ -33,7 +33,7 @@ void ground_free(struct ground *ground)
 
 //> Take the time of one run
 // The book's programs release what they built while the clock runs, the
-// others afterwards.
+// others afterward.
 struct run {
     double build, query;
 };

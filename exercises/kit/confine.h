@@ -26,7 +26,7 @@ void guard_judge(void);
 // files to read, so that its library can be loaded.
 void confine(struct limits limits);
 
-// In the student's process, afterwards: not even that.
+// In the student's process, afterward: not even that.
 void confine_to_computing(void);
 
 // Whether the rules, too, can be had here, or only the limits.
