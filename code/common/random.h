@@ -12,6 +12,7 @@ uint64_t random_bits(struct random *random);
 double random_uniform(struct random *random); // in [0, 1)
 double random_normal(struct random *random);  // mean 0, variance 1
 
-// A unit vector, every direction equally likely (Marsaglia 1972).
+// A unit vector, every direction equally likely (Marsaglia and Bray
+// 1964).
 void random_direction(struct random *random, double *x, double *y);
 //<
