@@ -64,7 +64,7 @@ $(BUILD)/setup/check: | $(BUILD)/setup/test
 $(BUILD)/setup/peers: | $(BUILD)/setup/code
 
 # Other flags, another compiler: everything is compiled anew.
-flags := $(CC) $(filter-out -Werror,$(CPPFLAGS) $(CFLAGS))
+flags := $(CC) $(CXX) $(filter-out -Werror,$(CPPFLAGS) $(CFLAGS))
 ifeq ($(filter help clean,$(MAKECMDGOALS)),)
 ifneq ($(flags),$(shell cat $(BUILD)/flags 2>/dev/null))
 $(shell mkdir -p $(BUILD) && echo '$(flags)' > $(BUILD)/flags)

@@ -18,7 +18,7 @@
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/furthest_hull.h"
 #include "ch10-furthest/near_and_far.h"
-#include <stdlib.h>
+#include "common/fail.h"
 #include <string.h>
 
 #ifdef COUNTING
@@ -96,14 +96,14 @@ const struct algorithm *fastest_algorithm(enum geometry geometry,
 //> Keep only the answers that will be given
 struct answers answers_for(uint32_t n, unsigned given)
 {
-    struct answers answers = answers_allocate(n);
-    if (!(given & NEAREST)) {
-        free(answers.nearest), answers.nearest = NULL;
-        free(answers.nearest2), answers.nearest2 = NULL;
+    struct answers answers = {0};
+    if (given & NEAREST) {
+        answers.nearest = allocate(n, sizeof *answers.nearest);
+        answers.nearest2 = allocate(n, sizeof *answers.nearest2);
     }
-    if (!(given & FURTHEST)) {
-        free(answers.furthest), answers.furthest = NULL;
-        free(answers.furthest2), answers.furthest2 = NULL;
+    if (given & FURTHEST) {
+        answers.furthest = allocate(n, sizeof *answers.furthest);
+        answers.furthest2 = allocate(n, sizeof *answers.furthest2);
     }
     return answers;
 }

@@ -10,7 +10,6 @@
 #include "near_options.h"
 #include "near_progress.h"
 #include "near_write.h"
-#include <errno.h>
 #include <fcntl.h>
 #include <float.h>
 #include <inttypes.h>
@@ -28,12 +27,6 @@ static void insist_on_output(void)
         exit(2);
     if (fcntl(STDOUT_FILENO, F_GETFD) < 0)
         fail("cannot write standard output: it is closed");
-}
-
-static void finish_output(void)
-{
-    if (ferror(stdout) | (fflush(stdout) != 0))
-        fail("cannot write standard output: %s", strerror(errno));
 }
 //<
 
@@ -308,7 +301,7 @@ static int near(const struct options *options)
 
 int main(int argc, char **argv)
 {
-    fail_as("near", write_abandon);
+    fail_as("near");
     insist_on_output();
     struct options options = parse_options(argc, argv);
     if (options.trials > 1)
@@ -320,7 +313,6 @@ int main(int argc, char **argv)
         print_list();
     else
         status = near(&options);
-    finish_output();
     return status;
 }
 //<

@@ -25,5 +25,6 @@ struct options {
 // Fails with a sentence on anything it does not understand.
 struct options parse_options(int argc, char **argv);
 
+// Prints the algorithms and the distributions on standard output.
 void print_list(void);
 //<

@@ -27,10 +27,11 @@ static struct {
 static void write_line(void)
 {
     int64_t seconds = (clock_ns() - progress.start) / 1000000000;
-    fprintf(stderr, "\r%s: %" PRId64 " s", progress.what, seconds);
+    fprintf(stderr, "\033[K%s: %" PRId64 " s", progress.what, seconds);
     if (progress.rows)
         fprintf(stderr, ", %.0f %%",
                 100.0 * progress.done / progress.rows);
+    fprintf(stderr, "\r");
 }
 
 static void *show(void *unused)
@@ -76,7 +77,7 @@ void progress_stop(void)
     pthread_cond_signal(&progress.stop);
     pthread_mutex_unlock(&progress.lock);
     pthread_join(progress.thread, NULL);
-    fprintf(stderr, "\r\033[K"); // clears the line
+    fprintf(stderr, "\033[K"); // clears the line
 }
 //<
 //<

@@ -58,8 +58,10 @@ static FILE *open_partial(const char *name, const struct stat *existing)
 {
     if (!existing || !realpath(name, path))
         snprintf(path, sizeof path, "%s", name);
-    snprintf(partial, sizeof partial, "%s.%ld.partial", path,
-             (long)getpid());
+    const char *slash = strrchr(path, '/');
+    int folder = slash ? (int)(slash + 1 - path) : 0;
+    snprintf(partial, sizeof partial, "%.*s.near.%ld.partial", folder,
+             path, (long)getpid());
     FILE *file = fopen(partial, "wx");
     if (!file)
         *partial = 0;

@@ -125,7 +125,7 @@ static int run_apart(void (*work)(void *), void *context, char *said,
     if (child == 0) {
         close(ends[0]);
         dup2(ends[1], STDERR_FILENO);
-        fail_as("test", NULL);
+        fail_as("test");
         work(context);
         _exit(0);
     }
@@ -258,7 +258,7 @@ static void write_report(const char *folder, int n)
 
 int run_tests(const char *folder, const struct test *tests, int n)
 {
-    fail_as(folder, NULL);
+    fail_as(folder);
     if (!(xml = tmpfile()) || CU_initialize_registry() != CUE_SUCCESS)
         fail("cannot start the tests");
     CU_pSuite suite = CU_add_suite(folder, NULL, NULL);

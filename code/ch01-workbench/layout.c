@@ -85,7 +85,7 @@ static void with_root(void *context)
 
 int main(int argc, char **argv)
 {
-    fail_as("layout", NULL);
+    fail_as("layout");
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 1, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 101, 1, MANY);
 

@@ -10,7 +10,7 @@
 
 int main(int argc, char **argv)
 {
-    fail_as("portraits", NULL);
+    fail_as("portraits");
     uint32_t n = argument(argc, argv, 1, "POINTS", 500, 1, MANY);
 
     report_provenance(stdout);

@@ -28,7 +28,7 @@ static int root_is_blind(double d2)
 
 int main(int argc, char **argv)
 {
-    fail_as("rounding", NULL);
+    fail_as("rounding");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
     struct points points = generate(find_distribution("uniform"), n, 1);
 

@@ -44,7 +44,7 @@ static double clock_step(void)
 
 int main(int argc, char **argv)
 {
-    fail_as("trials", NULL);
+    fail_as("trials");
     int trials = argument(argc, argv, 1, "TRIALS", 1000, 1, MANY);
     struct points points =
         generate(find_distribution("uniform"), 10000, 1);

@@ -26,7 +26,7 @@ static void run_blocked(void *context)
 
 int main(int argc, char **argv)
 {
-    fail_as("block-size", NULL);
+    fail_as("block-size");
     uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 2, MANY);
     uint32_t rows = argument(argc, argv, 2, "ROWS", 512, 1, n);
     int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);

@@ -35,7 +35,7 @@ static void print_limit(const char *name, const struct trial *peaks,
 
 int main(int argc, char **argv)
 {
-    fail_as("climb", NULL);
+    fail_as("climb");
     uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 2, MANY);
     uint32_t rows = argument(argc, argv, 2, "ROWS", 512, 1, n);
     int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);

@@ -22,7 +22,7 @@ static rows_function *const ways[WAYS][LOOPS] = {
 
 int main(int argc, char **argv)
 {
-    fail_as("dispatch", NULL);
+    fail_as("dispatch");
     uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 16, MANY);
     uint32_t rows = argument(argc, argv, 2, "ROWS", 256, 16, n);
     rows = rows / 16 * 16;

@@ -110,7 +110,7 @@ static void print_histograms(const struct collection *c)
 
 int main(int argc, char **argv)
 {
-    fail_as("distances", NULL);
+    fail_as("distances");
     if (argc < 2 || (strcmp(argv[1], "means") != 0 &&
                      strcmp(argv[1], "histogram") != 0))
         fail("say what to print: means or histogram");

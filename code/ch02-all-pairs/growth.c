@@ -28,7 +28,7 @@ static double mean_nearest(const struct question *question,
 
 int main(int argc, char **argv)
 {
-    fail_as("growth", NULL);
+    fail_as("growth");
     uint32_t most = argument(argc, argv, 1, "MOST", 12800, 100, MANY);
 
     report_provenance(stdout);

@@ -41,7 +41,7 @@ static void hidden(const struct question *question,
 
 int main(int argc, char **argv)
 {
-    fail_as("pow", NULL);
+    fail_as("pow");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);

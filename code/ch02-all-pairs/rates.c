@@ -11,7 +11,7 @@
 
 int main(int argc, char **argv)
 {
-    fail_as("rates", NULL);
+    fail_as("rates");
     int trials = argument(argc, argv, 1, "TRIALS", 51, 1, MANY);
     struct trial versions[PEAKS];
     peak_versions(versions);

@@ -14,7 +14,7 @@
 
 int main(int argc, char **argv)
 {
-    fail_as("sizes", NULL);
+    fail_as("sizes");
     uint32_t most = argument(argc, argv, 1, "MOST", 1 << 17, 512, MANY);
     double pairs = argument(argc, argv, 2, "PAIRS", 8000000, 1, MANY);
     int trials = argument(argc, argv, 3, "TRIALS", 5, 1, MANY);

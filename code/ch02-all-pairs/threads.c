@@ -14,7 +14,7 @@
 
 int main(int argc, char **argv)
 {
-    fail_as("threads", NULL);
+    fail_as("threads");
     uint32_t n = argument(argc, argv, 1, "POINTS", 8192, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);

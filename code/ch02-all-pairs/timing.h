@@ -1,7 +1,7 @@
-//> Declare how the chapter times rows
-// The experiments of this chapter time rows_functions on the same
-// question and print nanoseconds a pair, as median and quartiles. Whole
-// searches, threads and all, are timed alike.
+//> Declare how experiments time
+// Those of this chapter time rows_functions on the same question, those
+// of later ones whole searches, threads and all. Printed are medians
+// and quartiles, in nanoseconds.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "common/clock.h"

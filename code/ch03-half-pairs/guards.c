@@ -25,7 +25,7 @@ enum { GUARDS = sizeof guards / sizeof *guards };
 
 int main(int argc, char **argv)
 {
-    fail_as("guards", NULL);
+    fail_as("guards");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct points points = uniform_question(STANDARD, n, 1).points;

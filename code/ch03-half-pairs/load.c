@@ -17,6 +17,10 @@ static void weigh(uint32_t n, int threads, uint64_t *pairs)
 {
 #pragma omp parallel num_threads(threads)
     {
+#pragma omp single
+        if (omp_get_num_threads() < threads)
+            fail("expected %d threads, got %d", threads,
+                 omp_get_num_threads());
         uint64_t mine = 0;
 #pragma omp for schedule(runtime)
         for (uint32_t i = 0; i < n; i++)
@@ -28,9 +32,9 @@ static void weigh(uint32_t n, int threads, uint64_t *pairs)
 
 int main(int argc, char **argv)
 {
-    fail_as("load", NULL);
+    fail_as("load");
     uint32_t n = argument(argc, argv, 1, "POINTS", 8000, 4, MANY);
-    uint32_t most = n / 4 < 1000 ? n / 4 : 1000; // a chunk is a row
+    uint32_t most = n / 4 < 1000 ? n / 4 : 1000; // a row at least
     int threads = argument(argc, argv, 2, "THREADS", 10, 1, most);
     enum { KINDS = 3 };
     const int chunks[KINDS] = {0, n / (4 * threads), 1}; // 0: undivided

@@ -1,10 +1,11 @@
 //> Lose updates
-//     lost-updates [RUNS [LARGEST]]
 // What becomes of the triangular loop when its rows are handed to
 // several threads and nothing else is done: all of them change the same
 // answers, unguarded. A data race, on purpose; chapter 5 has the only
 // other one in this book. Prints how many answers came out wrong, for
 // up to LARGEST points in two arrangements.
+//
+//     lost-updates [RUNS [LARGEST]]
 #include "ch03-half-pairs/triangle.h"
 #include "common/argument.h"
 #include "common/clock.h"
@@ -84,7 +85,7 @@ static void race(const struct distribution *distribution, uint32_t n,
 //> Race at every size
 int main(int argc, char **argv)
 {
-    fail_as("lost-updates", NULL);
+    fail_as("lost-updates");
     int runs = argument(argc, argv, 1, "RUNS", 100, 1, MANY);
     uint32_t largest =
         argument(argc, argv, 2, "LARGEST", 2000, 125, MANY);

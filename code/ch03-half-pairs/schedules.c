@@ -27,7 +27,7 @@ static void run_entry(void *context)
 
 int main(int argc, char **argv)
 {
-    fail_as("schedules", NULL);
+    fail_as("schedules");
     uint32_t n = argument(argc, argv, 1, "POINTS", 2000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);

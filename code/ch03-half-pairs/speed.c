@@ -44,7 +44,7 @@ static void print_geometry(const char *name, enum geometry geometry,
 
 int main(int argc, char **argv)
 {
-    fail_as("speed", NULL);
+    fail_as("speed");
     uint32_t n = argument(argc, argv, 1, "POINTS", 3000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct points points = uniform_question(STANDARD, n, 1).points;

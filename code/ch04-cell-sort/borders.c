@@ -8,11 +8,12 @@
 #include "ch04-cell-sort/grid.h"
 #include "common/argument.h"
 #include "common/fail.h"
+#include <inttypes.h>
 #include <stdio.h>
 
 int main(int argc, char **argv)
 {
-    fail_as("borders", NULL);
+    fail_as("borders");
     uint32_t most = argument(argc, argv, 1, "MOST", 1000, 2, 100000);
     uint64_t borders = 0, divided = 0, multiplied = 0, exact = 0;
     for (uint32_t m = 2; m <= most; m++) {
@@ -27,12 +28,11 @@ int main(int argc, char **argv)
         }
         axis_free(&axis);
     }
-    printf("borders                               %8u\n"
-           "in the wrong cell, x / width          %8u\n"
-           "in the wrong cell, x * cells          %8u\n"
-           "in the wrong cell, the axis's borders %8u\n",
-           (unsigned)borders, (unsigned)divided, (unsigned)multiplied,
-           (unsigned)exact);
+    printf("borders                               %8" PRIu64 "\n"
+           "in the wrong cell, x / width          %8" PRIu64 "\n"
+           "in the wrong cell, x * cells          %8" PRIu64 "\n"
+           "in the wrong cell, the axis's borders %8" PRIu64 "\n",
+           borders, divided, multiplied, exact);
     return 0;
 }
 //<

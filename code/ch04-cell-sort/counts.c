@@ -71,7 +71,7 @@ static void print_row(uint32_t n, int sets, int k)
 
 int main(int argc, char **argv)
 {
-    fail_as("counts", NULL);
+    fail_as("counts");
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int sets = argument(argc, argv, 2, "SETS", 1, 1, MANY);
     report_provenance(stdout);

@@ -26,7 +26,7 @@ static void print_search(const struct question *question, double c,
 
 int main(int argc, char **argv)
 {
-    fail_as("crowding", NULL);
+    fail_as("crowding");
     uint32_t most = argument(argc, argv, 1, "MOST", 25600, 100, MANY);
     report_provenance(stdout);
     puts("name\tn\ttwo\troot");

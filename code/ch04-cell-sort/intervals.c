@@ -116,7 +116,7 @@ static void compare_ways(uint32_t n, int trials)
 
 int main(int argc, char **argv)
 {
-    fail_as("intervals", NULL);
+    fail_as("intervals");
     uint32_t most =
         argument(argc, argv, 1, "MOST", 100000, 10000, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);

@@ -66,7 +66,7 @@ static void print_set(const char *name, struct set *s,
 int main(int argc, char **argv)
 {
     static const char *const names[SETS] = {"uniform", "lattice"};
-    fail_as("lattice", NULL);
+    fail_as("lattice");
     uint32_t side = argument(argc, argv, 1, "SIDE", 320, 2, 30000);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct set sets[SETS];

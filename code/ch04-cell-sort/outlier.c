@@ -13,7 +13,7 @@ int main(void)
 {
     enum { POINTS = 100000 };
     const double c = 2, side = sqrt(c / POINTS);
-    fail_as("outlier", NULL);
+    fail_as("outlier");
     struct question question = uniform_question(STANDARD, POINTS, 1);
     puts(
         "one point at   cells of fixed side  their memory   our cells");

@@ -29,7 +29,7 @@ static void print_cells(const struct grid *grid, const uint32_t *start)
 int main(void)
 {
     enum { POINTS = 24 };
-    fail_as("portrait", NULL);
+    fail_as("portrait");
     struct question question = uniform_question(STANDARD, POINTS, 8);
     struct points p = question.points;
     struct grid grid = grid_fit(&question, 2);

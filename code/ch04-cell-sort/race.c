@@ -24,7 +24,7 @@ enum { RUNNERS = sizeof runners / sizeof *runners };
 
 int main(int argc, char **argv)
 {
-    fail_as("race", NULL);
+    fail_as("race");
     uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct answers answers = answers_allocate(n);

@@ -156,7 +156,7 @@ INLINED void search(const enum geometry geometry,
             const uint32_t *start = sorted->cells.start + row * columns;
             uint32_t beyond = column + STRIPE;
             uint32_t end = start[beyond < columns ? beyond : columns];
-            for (uint32_t s = start[column]; s < end; s += ASKING)
+            for (uint64_t s = start[column]; s < end; s += ASKING)
                 ask(geometry, question->space, sorted, row, s,
                     end - s < ASKING ? (int)(end - s) : ASKING,
                     answers);

@@ -57,7 +57,7 @@ static void all_together(void *context)
 
 int main(int argc, char **argv)
 {
-    fail_as("valley", NULL);
+    fail_as("valley");
     uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);

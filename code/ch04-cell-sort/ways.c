@@ -103,7 +103,7 @@ enum { WAYS = sizeof ways / sizeof *ways };
 
 int main(int argc, char **argv)
 {
-    fail_as("ways", NULL);
+    fail_as("ways");
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct bench b = {.question = uniform_question(STANDARD, n, 1),

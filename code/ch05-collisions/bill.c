@@ -1,9 +1,10 @@
 //> Write the bill of counting by groups
-//     bill [POINTS [TRIALS]]
 // Counts points in random cells, so few that all counts fit into the
 // first cache, and fits a line: so much for a point, so much for a
 // loser. Then counts points of all kinds in their own cells, plainly,
 // by groups and by detecting conflicts, beside what the line predicts.
+//
+//     bill [POINTS [TRIALS]]
 #include "ch02-all-pairs/timing.h"
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"
@@ -157,7 +158,7 @@ static void print_price(const char *name, int losers, double ns)
 //> Fill, time and print the rows
 int main(int argc, char **argv)
 {
-    fail_as("bill", NULL);
+    fail_as("bill");
     uint32_t n =
         argument(argc, argv, 1, "POINTS", 200000, 1000, MANY / 10);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);

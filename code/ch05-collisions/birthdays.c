@@ -1,9 +1,10 @@
 //> Count collisions against the law of birthdays
-//     birthdays [POINTS [SETS]]
 // For groups of 8, 16, 32, ... lanes and all kinds of points: how many
 // pairs of lanes collide and how many lanes lose, beside what is to be
 // expected if the points come in random order. On average over several
 // sets of points.
+//
+//     birthdays [POINTS [SETS]]
 #include "ch05-collisions/groups.h"
 #include "ch05-collisions/home.h"
 #include "common/argument.h"
@@ -107,7 +108,7 @@ static void print_tally(const char *distribution, uint32_t n, int sets,
 
 int main(int argc, char **argv)
 {
-    fail_as("birthdays", NULL);
+    fail_as("birthdays");
     uint32_t n =
         argument(argc, argv, 1, "POINTS", 1 << 14, 1 << 10, 1 << 25);
     int sets = argument(argc, argv, 2, "SETS", 10, 1, MANY);

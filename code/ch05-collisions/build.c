@@ -1,8 +1,9 @@
 //> Time every step of a search by cells
-//     build [POINTS [TRIALS]]
 // Fits the grid, sorts the points into it, copies them in this order
 // and searches: as chapter 4 does on one thread, and with the sort by
 // bands, on one and on all processors.
+//
+//     build [POINTS [TRIALS]]
 #include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/together.h"
 #include "ch05-collisions/bands.h"
@@ -71,7 +72,7 @@ static void (*const works[WAYS][STEPS])(void *) = {
 //> Time all steps in turn
 int main(int argc, char **argv)
 {
-    fail_as("build", NULL);
+    fail_as("build");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct steps one = {.question = uniform_question(STANDARD, n, 1)};

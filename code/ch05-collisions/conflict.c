@@ -83,9 +83,9 @@ static __m256i take_avx512(const uint32_t *home, __mmask8 here,
 {
     __m256i cell = _mm256_maskz_loadu_epi32(here, home);
     __m512i wide = _mm512_cvtepu32_epi64(cell);
-    __m256i free = _mm512_mask_i64gather_epi32(_mm256_setzero_si256(),
-                                               here, wide, next, 4);
-    __m256i place = _mm256_add_epi32(free, rank(cell));
+    __m256i next_free = _mm512_mask_i64gather_epi32(
+        _mm256_setzero_si256(), here, wide, next, 4);
+    __m256i place = _mm256_add_epi32(next_free, rank(cell));
     __m256i after = _mm256_add_epi32(place, _mm256_set1_epi32(1));
     _mm512_mask_i64scatter_epi32(next, here, wide, after, 4);
     return place;

@@ -1,9 +1,10 @@
 //> Lose counts
-//     lost-counts [POINTS]
-// Counts points in 24 by 24 cells without any care: in groups of lanes
+// Counts points in some 576 cells without any care: in groups of lanes
 // that first read all counts, then write them all, and on two threads.
 // The threads race, on purpose, like those of chapter 3. Prints what
 // should have been counted in every cell, and what was.
+//
+//     lost-counts [POINTS]
 #include "ch05-collisions/home.h"
 #include "common/argument.h"
 #include "common/fail.h"
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 24, MOST_LANES = 1024, WAYS = 5, ROUNDS = 100 };
+enum { CELLS = 576, MOST_LANES = 1024, WAYS = 5, ROUNDS = 100 };
 
 //> Count in lanes and hope
 static void count_in_lanes(const uint32_t *home, uint32_t n,
@@ -65,14 +66,14 @@ static void print_counts(uint32_t m, uint32_t *count)
 
 int main(int argc, char **argv)
 {
-    fail_as("lost-counts", NULL);
+    fail_as("lost-counts");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1 << 20, MOST_LANES,
                           UINT32_MAX / ROUNDS);
     n -= n % MOST_LANES; // groups without a rest
     struct points points =
         generate(find_distribution("clustered"), n, 2);
     struct question question = {points, {STANDARD, 1, 1}, 1};
-    struct grid grid = grid_fit(&question, (double)n / (SIDE * SIDE));
+    struct grid grid = grid_fit(&question, (double)n / CELLS);
     const uint32_t m = grid_cells(&grid);
     uint32_t *home = allocate(n, sizeof *home);
     uint32_t *count = allocate((size_t)WAYS * m, sizeof *count);

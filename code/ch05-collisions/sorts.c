@@ -1,10 +1,11 @@
 //> Time the sorts
-//     sorts [POINTS [TRIALS [KIND...]]]
 // Sorts points of every kind named, or uniform ones, by cell, with
 // counts that threads share and counts of their own, on one thread and
 // on all processors. The kind "memory" shows what the machine needs for
 // as much memory as the sort by bands writes: to get it, and to copy
 // it.
+//
+//     sorts [POINTS [TRIALS [KIND...]]]
 #include "ch02-all-pairs/timing.h"
 #include "ch04-cell-sort/sorted.h"
 #include "ch05-collisions/bands.h"
@@ -192,7 +193,7 @@ static bool is_memory(const char *kind)
 int main(int argc, char **argv)
 {
     char *uniform[] = {"uniform"};
-    fail_as("sorts", NULL);
+    fail_as("sorts");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     char **kinds = argc > 3 ? argv + 3 : uniform;

@@ -78,7 +78,7 @@ static void print_rows(const struct drawing *drawings,
 
 int main(int argc, char **argv)
 {
-    fail_as("balance", NULL);
+    fail_as("balance");
     int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
     uint32_t width = argument(argc, argv, 2, "WIDTH", 240, 4, 10000);
     struct points c = picture(width, width / 4 * 3);

@@ -59,7 +59,7 @@ static void print_versions(int percent, const struct trial *versions,
 
 int main(int argc, char **argv)
 {
-    fail_as("branches", NULL);
+    fail_as("branches");
     uint32_t n = argument(argc, argv, 1, "LENGTH", 1 << 17, 1, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct packing packing = {NULL, allocate(n, sizeof(uint32_t)),

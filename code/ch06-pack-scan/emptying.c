@@ -20,7 +20,7 @@ static void histogram(const double *steps, uint32_t n, uint32_t *ended)
 
 int main(int argc, char **argv)
 {
-    fail_as("emptying", NULL);
+    fail_as("emptying");
     uint32_t width = argument(argc, argv, 1, "WIDTH", 480, 4, 10000);
     uint32_t limit = argument(argc, argv, 2, "LIMIT", 1024, 1, MANY);
     struct points c = picture(width, width / 4 * 3);

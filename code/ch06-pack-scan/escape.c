@@ -2,7 +2,6 @@
 // See escape.h.
 #include "ch06-pack-scan/escape.h"
 #include "common/fail.h"
-#include <stdbool.h>
 #include <stdlib.h>
 
 //> Lay points over the plane

@@ -55,7 +55,7 @@ static void print_gathers(enum work work, size_t bytes, int trials)
 
 int main(int argc, char **argv)
 {
-    fail_as("gathers", NULL);
+    fail_as("gathers");
     int trials = argument(argc, argv, 1, "TRIALS", 11, 1, MANY);
     report_provenance(stdout);
     puts("name\tbytes\tloop_ns\tloop_ns_q1\tloop_ns_q3"

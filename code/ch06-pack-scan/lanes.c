@@ -36,7 +36,7 @@ static void print_lanes(const uint32_t *all, const uint32_t *packed,
 
 int main(int argc, char **argv)
 {
-    fail_as("lanes", NULL);
+    fail_as("lanes");
     uint32_t every = argument(argc, argv, 1, "EVERY", 8, 1, MANY);
     uint32_t limit = argument(argc, argv, 2, "LIMIT", 64, 1, MANY);
     const struct primitives *p = primitives(isa_chosen());

@@ -31,7 +31,7 @@ static void print_prices(size_t bytes, int trials)
 
 int main(int argc, char **argv)
 {
-    fail_as("lengths", NULL);
+    fail_as("lengths");
     int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
     size_t largest =
         argument(argc, argv, 2, "LARGEST", 1 << 24, 1 << 12, MANY);

@@ -11,7 +11,7 @@
 
 int main(int argc, char **argv)
 {
-    fail_as("portrait", NULL);
+    fail_as("portrait");
     uint32_t width = argument(argc, argv, 1, "WIDTH", 240, 4, 10000);
     uint32_t limit = argument(argc, argv, 2, "LIMIT", 256, 1, MANY);
     uint32_t height = width / 4 * 3;

@@ -30,7 +30,7 @@ static void working_sets(size_t bytes[static LEVELS], size_t largest)
 
 int main(int argc, char **argv)
 {
-    fail_as("prices", NULL);
+    fail_as("prices");
     int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
     size_t bytes[LEVELS];
     working_sets(bytes, argument(argc, argv, 2, "LARGEST", 1 << 25,

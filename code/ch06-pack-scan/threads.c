@@ -66,7 +66,7 @@ static void print_times(const char *name, void (*work)(void *),
 
 int main(int argc, char **argv)
 {
-    fail_as("threads", NULL);
+    fail_as("threads");
     int trials = argument(argc, argv, 1, "TRIALS", 3, 1, MANY);
     uint32_t longest =
         argument(argc, argv, 2, "LONGEST", 1 << 22, 1 << 12, MANY);

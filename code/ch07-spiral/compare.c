@@ -53,7 +53,7 @@ static void compare_on(const char *kind, uint32_t n, int trials)
 
 int main(int argc, char **argv)
 {
-    fail_as("compare", NULL);
+    fail_as("compare");
     uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     report_provenance(stdout);

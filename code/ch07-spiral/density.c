@@ -47,7 +47,7 @@ static void sort_and_search(void *context)
 
 int main(int argc, char **argv)
 {
-    fail_as("density", NULL);
+    fail_as("density");
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);

@@ -11,7 +11,7 @@
 // Named by c in tenths: c2, c10.
 int main(void)
 {
-    fail_as("expect", NULL);
+    fail_as("expect");
     report_provenance(stdout);
     puts("name\tc\tdistances\tcells\tprinted\tone_more");
     for (int tenths = 2; tenths <= 80; tenths += 2) {

@@ -13,7 +13,6 @@
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
-#include <omp.h>
 #include <stdio.h>
 
 enum rule {
@@ -148,7 +147,7 @@ static void count_rule(enum rule rule, const struct map *map,
 
 int main(int argc, char **argv)
 {
-    fail_as("rules", NULL);
+    fail_as("rules");
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers right = answers_allocate(n);

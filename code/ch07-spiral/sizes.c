@@ -82,7 +82,7 @@ static void print_size(uint32_t n, int sets, struct samples *samples)
 // The largest sets are few: they take long, and differ little.
 int main(int argc, char **argv)
 {
-    fail_as("sizes", NULL);
+    fail_as("sizes");
     uint32_t most = argument(argc, argv, 1, "MOST", LOTS, 1000, MANY);
     int sets = argument(argc, argv, 2, "SETS", 3, 1, 1000);
     double *room = allocate(4 * (size_t)sets, sizeof *room);

@@ -105,7 +105,7 @@ static void print_trace(const struct map *map, const struct recorder *r,
 
 int main(void)
 {
-    fail_as("trace", NULL);
+    fail_as("trace");
     struct question question = uniform_question(STANDARD, POINTS, 7);
     struct grid grid = grid_fit(&question, 1);
     struct cells cells = cells_sort(&grid, question.points);

@@ -57,7 +57,7 @@ static void visit_all(const struct map *map, struct visitor *visitor)
 
 int main(int argc, char **argv)
 {
-    fail_as("visits", NULL);
+    fail_as("visits");
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     struct question question = uniform_question(WRAPAROUND, n, 1);
     struct grid grid = grid_fit(&question, 1);

@@ -270,7 +270,7 @@ static void print_bill(const struct line *lines,
 
 int main(int argc, char **argv)
 {
-    fail_as("bill", NULL);
+    fail_as("bill");
     uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 1000, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);

@@ -59,8 +59,8 @@ static void time_kind(const char *kind, uint32_t n, int trials)
 int main(int argc, char **argv)
 {
     enum { FEW = 20000 };
-    fail_as("gains", NULL);
-    uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
+    fail_as("gains");
+    uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 8, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     report_provenance(stdout);
     puts("name\tisa\tn\tns\tns_q1\tns_q3");

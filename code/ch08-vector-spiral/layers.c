@@ -46,7 +46,7 @@ static void print_layer(const struct tally *tally, double n, double c,
 
 int main(int argc, char **argv)
 {
-    fail_as("layers", NULL);
+    fail_as("layers");
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 1000, MANY);
     struct question question = uniform_question(WRAPAROUND, n, 1);
     struct answers answers = answers_allocate(n);

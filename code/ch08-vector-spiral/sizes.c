@@ -85,7 +85,7 @@ static void print_size(const char *kind, uint32_t n, int sets,
 // The largest sets are few: they take long, and differ little.
 int main(int argc, char **argv)
 {
-    fail_as("sizes", NULL);
+    fail_as("sizes");
     uint32_t most =
         argument(argc, argv, 1, "MOST", 100000, LEAST, MANY);
     int sets = argument(argc, argv, 2, "SETS", 3, 1, 1000);

@@ -32,22 +32,13 @@ static struct tasks cut_tasks(struct room *room)
 }
 //<
 
-// The numbers of doubles and of 32-bit numbers that a task has.
-enum { DOUBLES = 8, NUMBERS = 22 };
-
-size_t strip_bytes(uint32_t length)
-{
-    return length * (DOUBLES * sizeof(double) +
-                     NUMBERS * sizeof(uint32_t) + sizeof(uint8_t));
-}
-
 // In this order: the block begins with x, and ends with the bytes, so
 // that all others are aligned.
 struct strip strip_allocate(const struct primitives *primitives,
                             uint32_t length)
 {
     struct room room = {.length = (size_t)length + SPILL};
-    room.next = allocate(room.length, strip_bytes(1));
+    room.next = allocate(room.length, TASK_BYTES);
     struct strip strip = {.primitives = primitives};
     strip.x = cut(&room, sizeof(double));
     strip.y = cut(&room, sizeof(double));
@@ -69,7 +60,7 @@ struct strip strip_allocate(const struct primitives *primitives,
     strip.some = cut_tasks(&room);
     strip.keep = cut(&room, sizeof(uint8_t));
     assert((size_t)(room.next - (char *)strip.x) ==
-               room.length * strip_bytes(1) &&
+               room.length * TASK_BYTES &&
            "all is cut that was counted");
     for (uint32_t t = 0; t < length; t++)
         strip.all.task[t] = t;

@@ -66,8 +66,8 @@ struct strip {
 };
 //<
 
-// The bytes that so many tasks take.
-size_t strip_bytes(uint32_t length);
+// The bytes that a task takes.
+enum { TASK_BYTES = 8 * sizeof(double) + 22 * sizeof(uint32_t) + 1 };
 
 // Room for so many tasks, to be released with strip_free.
 struct strip strip_allocate(const struct primitives *primitives,

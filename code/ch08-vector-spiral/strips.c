@@ -39,20 +39,19 @@ static void print_length(const struct run_of_strips *run,
 {
     const struct tally *tally = &run->tally;
     struct caches caches = caches_of_machine();
-    size_t task = strip_bytes(1);
     double n = run->question->points.n;
     printf("length_%u\t%u", run->length, run->length);
     for (int way = 0; way < WAYS; way++)
         print_summary(&trials[way].summary, n);
     printf("\t%.5g\t%.5g\t%.5g\t%zu\t%zu\n", tally->points / n,
-           tally->lanes / n, tally->unpacked / n, caches.l1 / task,
-           caches.l2 / task);
+           tally->lanes / n, tally->unpacked / n,
+           caches.l1 / TASK_BYTES, caches.l2 / TASK_BYTES);
 }
 //<
 
 int main(int argc, char **argv)
 {
-    fail_as("strips", NULL);
+    fail_as("strips");
     uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);
     uint32_t longest =

@@ -6,7 +6,6 @@
 #include "ch08-vector-spiral/fused.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "common/clock.h"
-#include <stddef.h>
 
 void march_primitives(const struct question *question,
                       struct answers *answers)

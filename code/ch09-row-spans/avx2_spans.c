@@ -124,7 +124,7 @@ INLINED void meet(const enum geometry geometry, struct space space,
     struct four four = {_mm256_set1_pd(single->best2),
                         _mm256_set1_epi64x(single->nearest),
                         _mm256_set1_epi64x(single->self)};
-    for (uint32_t s = begin; s < end; s += 4) {
+    for (uint64_t s = begin; s < end; s += 4) {
         int left = (int)(end - s < 4 ? end - s : 4);
         __m128i there = _mm_cmpgt_epi32(_mm_set1_epi32(left), lane);
         __m256i wide = _mm256_cvtepi32_epi64(there);

@@ -17,7 +17,7 @@ INLINED void stage(const struct sorted *sorted, uint32_t begin,
     const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
     uint32_t k = table->count;
     table->count += end - begin;
-    for (uint32_t s = begin; s < end; s += 8, k += 8) {
+    for (uint64_t s = begin; s < end; s += 8, k += 8) {
         uint32_t left = end - s;
         __mmask8 there = (__mmask8)(left < 8 ? (1u << left) - 1 : 255);
         __m512d dx = _mm512_sub_pd(
@@ -125,7 +125,7 @@ INLINED void meet(const enum geometry geometry, struct space space,
     struct eight eight = {_mm512_set1_pd(single->best2),
                           _mm512_set1_epi64(single->nearest),
                           _mm512_set1_epi64(single->self)};
-    for (uint32_t s = begin; s < end; s += 8) {
+    for (uint64_t s = begin; s < end; s += 8) {
         uint32_t left = end - s;
         __mmask8 there = (__mmask8)(left < 8 ? (1u << left) - 1 : 255);
         __m512d d2 = eight_near2(

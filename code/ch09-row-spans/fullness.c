@@ -13,7 +13,6 @@
 #include "common/count.h"
 #include "common/fail.h"
 #include "common/report.h"
-#include <omp.h>
 
 //> Time both halves
 struct halves {
@@ -48,7 +47,7 @@ enum { SIZES = sizeof cells / sizeof *cells };
 
 int main(int argc, char **argv)
 {
-    fail_as("fullness", NULL);
+    fail_as("fullness");
     memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 100000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 5, 1, MANY);

@@ -99,7 +99,7 @@ static void print_height(const struct height *height)
 // Memory once kept is kept, so all sizes go first without.
 int main(int argc, char **argv)
 {
-    fail_as("heights", NULL);
+    fail_as("heights");
     uint32_t most = argument(argc, argv, 1, "MOST", LOTS, 1000, MANY);
     struct height heights[2 * 10]; // two for each power of ten
     int count = 0;

@@ -50,7 +50,7 @@ static void print_kind(const char *kind, uint32_t n, int count)
 
 int main(int argc, char **argv)
 {
-    fail_as("kinds", NULL);
+    fail_as("kinds");
     memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 2, MANY);
     uint32_t more = argument(argc, argv, 2, "MORE", 100000, 2, MANY);

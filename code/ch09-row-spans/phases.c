@@ -114,7 +114,7 @@ enum { PHASES = sizeof phases / sizeof *phases };
 
 int main(int argc, char **argv)
 {
-    fail_as("phases", NULL);
+    fail_as("phases");
     memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 1000000, 2, MANY);
     int count = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);

@@ -12,8 +12,6 @@
 
 #ifdef COUNTING
 #define search_row_spans counting_search_row_spans
-#define search_in_turns counting_search_in_turns
-#define search_and_visit counting_search_and_visit
 #endif
 
 //> Choose the instruction set of the search

@@ -6,8 +6,8 @@
 // it finds out for each of the eight who is nearest and whether, with
 // all rounding, nobody else can be. His distance is then computed in
 // double precision. Those for whom that does not settle it ask alone.
-// About 9 c + 22 distances a point, c points in a cell;
-// threads share out the points.
+// About 9 c + 22 distances a point, c points in a cell; threads share
+// out the points.
 #pragma once
 #include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/manners.h"
@@ -42,10 +42,6 @@ void search_and_visit(const struct question *question,
                       const struct carried *carried,
                       const struct visit *visit,
                       struct answers *answers);
-void counting_search_and_visit(const struct question *question,
-                               const struct carried *carried,
-                               const struct visit *visit,
-                               struct answers *answers);
 
 // The row of the table: sorts, carrying the points, and searches.
 void row_spans(const struct question *question,

@@ -111,7 +111,7 @@ static struct counts count_step(struct steps *s, enum step step)
 
 int main(int argc, char **argv)
 {
-    fail_as("steps", NULL);
+    fail_as("steps");
     memory_keep();
     static const struct {
         const char *name;

@@ -15,7 +15,7 @@
 
 int main(int argc, char **argv)
 {
-    fail_as("vast", NULL);
+    fail_as("vast");
     uint32_t n =
         argument(argc, argv, 1, "POINTS", 3000000, 2, MANY / 2);
     struct question question = uniform_question(STANDARD, n, 1);

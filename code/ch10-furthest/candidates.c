@@ -35,7 +35,7 @@ static void print_counts(const struct question *question, double c,
 
 int main(int argc, char **argv)
 {
-    fail_as("candidates", NULL);
+    fail_as("candidates");
     uint32_t most = argument(argc, argv, 1, "MOST", 100000, 100, MANY);
     report_provenance(stdout);
     puts("name\tn"

@@ -89,7 +89,7 @@ static void draw(const char *panel, bool missed)
 
 int main(void)
 {
-    fail_as("corner", NULL);
+    fail_as("corner");
     report_provenance(stdout);
     puts("kind\tx\ty");
     draw("sound", false);

@@ -63,7 +63,7 @@ static void print_count(const char *kind, uint32_t n, int sets)
 int main(int argc, char **argv)
 {
     enum { FEW = 10000 };
-    fail_as("corners", NULL);
+    fail_as("corners");
     uint32_t most = argument(argc, argv, 1, "MOST", 10000, 100, MANY);
     int sets = argument(argc, argv, 2, "SETS", 20, 1, MANY);
     report_provenance(stdout);

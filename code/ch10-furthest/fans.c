@@ -6,7 +6,6 @@
 //     fans [POINTS]
 #include "algorithms.h"
 #include "ch02-all-pairs/timing.h"
-#include "ch09-row-spans/keep.h"
 #include "common/argument.h"
 #include "common/fail.h"
 #include "common/report.h"
@@ -60,8 +59,7 @@ static void print_kind(const char *kind, uint32_t n)
 
 int main(int argc, char **argv)
 {
-    fail_as("fans", NULL);
-    memory_keep();
+    fail_as("fans");
     uint32_t n = argument(argc, argv, 1, "POINTS", 6000, 2, MANY);
     report_provenance(stdout);
     puts("kind\tx\ty\trank\tfans");

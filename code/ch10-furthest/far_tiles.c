@@ -8,14 +8,9 @@
 #include "ch09-row-spans/window.h"
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/outside.h"
-#include "common/fail.h"
 #include "common/isa.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch09-row-spans/avx512_window.h"
-#endif
-
-#ifdef COUNTING
-#define search_and_visit counting_search_and_visit
 #endif
 
 // Finds the two least losses for each of the first eight in the table.

@@ -1,7 +1,6 @@
 //> Search the corners of the hull
 // See furthest_hull.h.
 #include "ch10-furthest/furthest_hull.h"
-#include "ch02-all-pairs/pair.h"
 #include "common/clock.h"
 #include "common/count.h"
 #include <stdbool.h>

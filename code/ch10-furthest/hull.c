@@ -1,16 +1,6 @@
 //> Find the corners of the hull
-// See hull.h. Why a point p can be left out: let it be a mean of
-// others, p = sum of w v with weights w that sum to 1. Then for any q
-//     sum of w |v - q|^2 = |p - q|^2 + sum of w |v - p|^2,
-// so one of the v is further from q than p, in squared distance by at
-// least the last sum, the surplus of p. Squared distances are computed
-// with errors below 2^-50 D^2, where D is the diagonal of the box of
-// all points. So if the surplus is more than 2^-49 D^2, that v is
-// further as computed, too, and p is nobody's furthest. A mean that we
-// compute may miss p by 2^-47 D: then 2^-45 D^2 is enough. All this
-// where D^2 neither vanishes nor overflows.
+// See hull.h.
 #include "ch10-furthest/hull.h"
-#include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
 #include "ch10-furthest/octagon.h"
 #include "common/fail.h"
@@ -90,8 +80,19 @@ static struct foot foot_on(struct candidate a, struct candidate b,
 //<
 
 //> Decide whether a point can be left out
-// It lies between a foot on the lower chain and one on the upper. If it
-// misses both by rounding, one of them is near enough.
+// Let p be a mean of others, p = sum of w v with weights w that sum to
+// 1. Then for any q
+//     sum of w |v - q|^2 = |p - q|^2 + sum of w |v - p|^2,
+// so one of the v is further from q than p, in squared distance by at
+// least the last sum, the surplus of p. Squared distances are computed
+// with errors below 2^-50 D^2, where D is the diagonal of the box of
+// all points. So if the surplus is more than 2^-49 D^2, that v is
+// further as computed, too, and p is nobody's furthest. A mean that we
+// compute may miss p by 2^-47 D: then 2^-45 D^2 is enough. All this
+// where D^2 neither vanishes nor overflows.
+//
+// Here p lies between a foot on the lower chain and one on the upper.
+// If it misses both by rounding, one of them is near enough.
 static bool can_be_left_out(struct foot low, struct foot high,
                             double diagonal2)
 {

@@ -144,7 +144,7 @@ static void print_stage(const struct algorithm *algorithm,
 
 int main(int argc, char **argv)
 {
-    fail_as("journey", NULL);
+    fail_as("journey");
     memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 20000, 2, MANY);
     uint32_t fewer = argument(argc, argv, 2, "FEWER", 4000, 2, n);

@@ -59,7 +59,7 @@ static void print_kind(const char *kind, uint32_t n, int trials)
 
 int main(int argc, char **argv)
 {
-    fail_as("kinds", NULL);
+    fail_as("kinds");
     memory_keep();
     uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 2, MANY);
     int trials = argument(argc, argv, 2, "TRIALS", 3, 1, MANY);

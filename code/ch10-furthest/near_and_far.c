@@ -1,7 +1,6 @@
 //> Search near and far
 // See near_and_far.h.
 #include "ch10-furthest/near_and_far.h"
-#include "ch04-cell-sort/together.h"
 #include "ch09-row-spans/carry.h"
 #include "ch09-row-spans/row_spans.h"
 #include "ch10-furthest/far_tiles.h"
@@ -26,6 +25,9 @@ static void furthest_among(const struct question *question,
 //<
 
 //> Sort once for both
+// Whoever looks far, too, likes a cell a little fuller.
+static const double per_cell = 2;
+
 static void search_near_and_far(const struct question *question,
                                 const struct carried *carried,
                                 struct answers *answers)
@@ -49,8 +51,7 @@ void near_and_far(const struct question *question,
         furthest_among(question, corners_find(question), answers);
         return;
     }
-    // Whoever looks far, too, likes a cell a little fuller.
-    struct carried carried = carry_points(question, POINTS_PER_CELL);
+    struct carried carried = carry_points(question, per_cell);
     answers->built_ns = clock_ns();
     search_near_and_far(question, &carried, answers);
     carried_free(&carried);

@@ -30,7 +30,7 @@ static double middle(const struct axis *axis, uint32_t k)
 
 int main(void)
 {
-    fail_as("places", NULL);
+    fail_as("places");
     struct question question = uniform_question(STANDARD, POINTS, 1);
     struct sorted sorted =
         sorted_make(&question, PER_CELL, cells_sort_alone);

@@ -121,8 +121,8 @@ static void divide(const struct making *making, struct square square,
 //<
 
 //> Choose how many regions
-// Eight to thirty-two points to a region, but no more regions than lists
-// of all corners in one row of them have room for.
+// Eight to thirty-two points to a region, but no more regions
+// than lists of all corners in one row of them have room for.
 enum { POINTS_PER_REGION = 8, MOST_LISTED = 1 << 24 };
 
 static uint32_t side_for(uint32_t n, uint32_t corners)

@@ -4,8 +4,6 @@
 // a cell is wide and high: a surplus of the square of a cell's diagonal
 // at least.
 #include "ch10-furthest/rim.h"
-#include "ch02-all-pairs/pair.h"
-#include "ch04-cell-sort/block.h"
 #include "common/fail.h"
 #include <stdbool.h>
 #include <stdlib.h>

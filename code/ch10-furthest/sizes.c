@@ -57,7 +57,7 @@ static void print_points(uint32_t n)
 
 int main(int argc, char **argv)
 {
-    fail_as("sizes", NULL);
+    fail_as("sizes");
     memory_keep();
     uint32_t most = argument(argc, argv, 1, "MOST", 300000, 1000, MANY);
     report_provenance(stdout);

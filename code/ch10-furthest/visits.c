@@ -63,7 +63,7 @@ static void print_visits(enum geometry geometry, uint32_t n, int sets)
 
 int main(int argc, char **argv)
 {
-    fail_as("visits", NULL);
+    fail_as("visits");
     uint32_t most = argument(argc, argv, 1, "MOST", 10000, 1000, MANY);
     int sets = argument(argc, argv, 2, "SETS", 10, 1, MANY);
     report_provenance(stdout);

@@ -75,7 +75,7 @@ static void print_wrong(const char *kind, uint32_t n, double c,
 int main(int argc, char **argv)
 {
     enum { SMALL = 1000 };
-    fail_as("wrong", NULL);
+    fail_as("wrong");
     uint32_t n = argument(argc, argv, 1, "POINTS", 5000, 100, MANY);
     int sets = argument(argc, argv, 2, "SETS", 100, 1, MANY);
     report_provenance(stdout);

@@ -1,7 +1,7 @@
 //> Read an experiment's arguments
 // See argument.h. 2e4 is a whole number, too.
-#include "argument.h"
-#include "fail.h"
+#include "common/argument.h"
+#include "common/fail.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdbool.h>

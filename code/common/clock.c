@@ -1,8 +1,8 @@
 //> Measure time
 // See clock.h. A quartile that falls between two values is interpolated
 // between them.
-#include "clock.h"
-#include "fail.h"
+#include "common/clock.h"
+#include "common/fail.h"
 #include <assert.h>
 #include <stdlib.h>
 #include <time.h>

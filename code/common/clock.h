@@ -5,7 +5,7 @@
 #pragma once
 #include <stdint.h>
 
-int64_t clock_ns(void);
+int64_t clock_ns(void); // now; only differences mean something
 
 struct summary {
     double min, q1, median, q3, max;

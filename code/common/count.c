@@ -1,6 +1,6 @@
 //> Count, or do not
 // They exist in the counting twin only; see count.h.
-#include "count.h"
+#include "common/count.h"
 
 #ifdef COUNTING
 struct counts counts;

@@ -2,22 +2,34 @@
 // The program's name and what to clean up are not passed as arguments,
 // because fail must work from anywhere. A program has one of each, so
 // the counting twin has none of its own and uses these.
-#include "fail.h"
+#include "common/fail.h"
+#include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 
 #ifndef COUNTING
 //> Say one sentence and end
 static const char *name = "near";
-static void (*clean_up)(void);
+static bool failed;
 
-void fail_as(const char *program, void (*cleanup)(void))
+static void finish_output(void)
+{
+    if ((ferror(stdout) | (fflush(stdout) != 0)) && !failed) {
+        fprintf(stderr, "%s: cannot write standard output: %s\n", name,
+                strerror(errno));
+        _Exit(2);
+    }
+}
+
+void fail_as(const char *program)
 {
     name = program;
-    clean_up = cleanup;
+    atexit(finish_output);
 }
 
 _Noreturn void fail(const char *format, ...)
@@ -30,8 +42,7 @@ _Noreturn void fail(const char *format, ...)
         vfprintf(stderr, format, arguments);
         fprintf(stderr, "\n");
         va_end(arguments);
-        if (clean_up)
-            clean_up();
+        failed = true;
         exit(2);
     }
 }

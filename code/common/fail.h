@@ -4,13 +4,14 @@
 #pragma once
 #include <stddef.h>
 
-// Prints "PROGRAM: " and the sentence, and runs the cleanup that was
-// registered, so that nothing half written stays behind.
+// Prints "PROGRAM: " and the sentence, and ends the program by exit, so
+// that what atexit knows of is cleaned up.
 _Noreturn void fail(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
-// Called once by main. The cleanup may be NULL.
-void fail_as(const char *program, void (*cleanup)(void));
+// Called once by main. From then on the program also fails at its end
+// if its standard output could not be written.
+void fail_as(const char *program);
 
 // Memory for count elements of size bytes each, 64-byte aligned, not
 // cleared; never NULL. Released with free(). From 2 MB on, in whole

@@ -2,8 +2,8 @@
 // See generate.h. Like the random numbers themselves, the points are
 // made by sums, products, quotients and roots only, so that they are
 // the same to the last bit on every machine.
-#include "generate.h"
-#include "random.h"
+#include "common/generate.h"
+#include "common/random.h"
 #include <math.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 // Point sets to try things on. The same name, n and seed give the same
 // points on every machine.
 #pragma once
-#include "points.h"
+#include "common/points.h"
 
 struct distribution {
     const char *name;  // as in near -d NAME

@@ -1,8 +1,8 @@
 //> Choose the instruction set
 // See isa.h. AVX-512 stands for what the processors of 2017 and later
 // have of it: F, CD, BW, DQ and VL.
-#include "isa.h"
-#include "fail.h"
+#include "common/isa.h"
+#include "common/fail.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,8 @@
 //> Make room for points
 // The two arrays are one block of memory: x first, then y from the
 // next 64-byte line on, so that both begin where a vector may.
-#include "points.h"
-#include "fail.h"
+#include "common/points.h"
+#include "common/fail.h"
 #include <stdlib.h>
 
 struct points points_allocate(uint32_t n)

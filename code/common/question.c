@@ -1,6 +1,7 @@
 //> Make room for answers
-#include "question.h"
-#include "fail.h"
+// See question.h.
+#include "common/question.h"
+#include "common/fail.h"
 #include <stdlib.h>
 
 struct answers answers_allocate(uint32_t n)

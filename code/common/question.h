@@ -1,8 +1,8 @@
 //> State the question and its answers
 // What every algorithm of the book is asked, and where it answers.
 #pragma once
-#include "geometry.h"
-#include "points.h"
+#include "common/geometry.h"
+#include "common/points.h"
 
 struct question {
     struct points points; // n >= 2, all coordinates finite
@@ -17,7 +17,7 @@ struct question {
 struct answers {
     uint32_t *nearest, *furthest; // index of the neighbor
     double *nearest2, *furthest2; // squared distance to it
-    int64_t built_ns; // clock_ns() when the structure stood; 0: none
+    int64_t built_ns;             // clock_ns() when the structure stood
 };
 
 // What answers a question.

@@ -2,7 +2,7 @@
 // Only sums, products, quotients, square roots and comparisons, which
 // every machine rounds alike: log and cos would not be the same
 // everywhere, and neither would the points.
-#include "random.h"
+#include "common/random.h"
 #include <math.h>
 
 //> Draw random bits

@@ -2,8 +2,8 @@
 // See read_points.h. One pass over the lines; every mistake is reported
 // where it stands. Decimal points are points because no program of ours
 // leaves the C locale.
-#include "read_points.h"
-#include "fail.h"
+#include "common/read_points.h"
+#include "common/fail.h"
 #include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>

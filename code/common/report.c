@@ -1,6 +1,6 @@
 //> Tell where the numbers come from
 // See report.h. What cannot be found out is called unknown.
-#include "report.h"
+#include "common/report.h"
 #include <string.h>
 #include <time.h>
 #include <unistd.h>

@@ -4,6 +4,7 @@
 // one may run at a time.
 #include "peers/peer.h"
 #include <ANN/ANN.h>
+#include <utility>
 #include <vector>
 
 namespace
@@ -13,7 +14,7 @@ struct built {
     ANNkd_tree index;
 
     built(std::vector<ANNpoint> &&where, int leaf)
-        : points(where),
+        : points(std::move(where)),
           index(points.data(), points.size(), 2, leaf, ANN_KD_SUGGEST)
     {
     }

@@ -128,7 +128,7 @@ static void compete_for(uint32_t n, const struct rules *rules,
 
 int main(int argc, char **argv)
 {
-    fail_as("compare", NULL);
+    fail_as("compare");
     uint32_t largest =
         argument(argc, argv, 1, "LARGEST", 10000, FEWEST, MANY);
     int trials =

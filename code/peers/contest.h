@@ -24,7 +24,7 @@ struct ground {
     bool known;
 };
 
-// n points, which the ground takes over. Released with ground_free.
+// Takes the points over. Released with ground_free.
 struct ground ground_over(struct points points);
 void ground_free(struct ground *ground);
 

@@ -550,7 +550,7 @@ static bool read_options(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    fail_as("grader", NULL);
+    fail_as("grader");
     if (!read_options(argc, argv))
         return 2;
     argv += optind;

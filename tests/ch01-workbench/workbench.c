@@ -399,7 +399,8 @@ static void wash_up(void)
 static void fail_with_cleanup(void *context)
 {
     (void)context;
-    fail_as("prog", wash_up);
+    fail_as("prog");
+    atexit(wash_up);
     fail("no %s for %d", "luck", 3);
 }
 
