@@ -117,11 +117,11 @@ static void look_outside(const struct sorted *sorted,
 //<
 
 //> Let every point look there
-typedef void look_function(const struct sorted *sorted,
-                           struct asking *asking);
+typedef void look_far_function(const struct sorted *sorted,
+                               struct asking *asking);
 
 static void search(const struct question *question,
-                   const struct sorted *sorted, look_function *look,
+                   const struct sorted *sorted, look_far_function *look,
                    struct answers *answers)
 {
 #pragma omp parallel for num_threads(question->threads) \
@@ -157,5 +157,4 @@ void search_one_corner(const struct question *question,
     search(question, sorted, look_outside, answers);
 }
 //<
-
 //<
