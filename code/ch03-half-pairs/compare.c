@@ -7,13 +7,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-static struct summary scaled(struct summary s, double factor)
-{
-    return (struct summary){s.min * factor, s.q1 * factor,
-                            s.median * factor, s.q3 * factor,
-                            s.max * factor};
-}
-
 //> Time all versions in turn
 void compare(struct points points, enum geometry geometry, int trials,
              const struct version *versions, int count,
@@ -36,11 +29,9 @@ void compare(struct points points, enum geometry geometry, int trials,
             (struct trial){.work = run_search, .context = &searches[e]};
     }
     time_in_turn(trials, turns, 2 * count);
-    double pairs = (double)points.n * (points.n - 1.0);
-    for (int v = 0; v < count; v++) {
-        times[v].serial = scaled(turns[2 * v].summary, 1 / pairs);
-        times[v].parallel = scaled(turns[2 * v + 1].summary, 1 / pairs);
-    }
+    for (int v = 0; v < count; v++)
+        times[v] = (struct times){turns[2 * v].summary,
+                                  turns[2 * v + 1].summary};
     free(turns);
     free(searches);
     answers_free(&answers);

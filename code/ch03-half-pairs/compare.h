@@ -1,7 +1,7 @@
 //> Declare how the chapter compares
-// Whole algorithms on the same points, timed trial by trial in turn.
-// Times are nanoseconds per ordered pair, n (n-1) of them, whatever an
-// algorithm really measures: half the work shows as half the time.
+// Whole algorithms on the same points, timed trial by trial in turn. To
+// be printed as nanoseconds per ordered pair, n (n - 1) of them, even
+// if an algorithm measures fewer: half the work shows as half the time.
 #pragma once
 #include "common/clock.h"
 #include "common/question.h"

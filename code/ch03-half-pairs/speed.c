@@ -32,12 +32,13 @@ static void print_geometry(const char *name, enum geometry geometry,
                            struct points points, int trials)
 {
     struct times times[VERSIONS];
+    const double pairs = points.n * (points.n - 1.0);
     compare(points, geometry, trials, versions, VERSIONS, times);
     for (int v = 0; v < VERSIONS; v++) {
         printf("%s_%s\t%u\t%d", name, versions[v].name, points.n,
                omp_get_num_procs());
-        print_summary(&times[v].serial, 1);
-        print_summary(&times[v].parallel, 1);
+        print_summary(&times[v].serial, pairs);
+        print_summary(&times[v].parallel, pairs);
         puts("");
     }
 }
