@@ -1,6 +1,6 @@
-# The share of its points that each of 576 cells was said to hold: in
-# groups of lanes a cell counts at most once a group; two threads lose
-# where they meet.
+# The share of its points that each of some 576 cells was said to
+# hold: in groups of lanes a cell counts at most once a group; two
+# threads lose where they meet.
 # demo: plot
 height = 2.7
 load "book/figures/style.gp"

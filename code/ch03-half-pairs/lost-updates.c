@@ -29,7 +29,7 @@ static void triangle_racing(const struct question *question,
 
 //> Build houses along a street
 // In the order of their numbers: every row is a step nearer than the
-// one before to all houses behind it, so that every pair improves the
+// one before to all houses after it, so that every pair improves the
 // nearest of its second end.
 static void street(struct points points, uint64_t seed)
 {

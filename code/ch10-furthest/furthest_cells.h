@@ -1,6 +1,6 @@
 //> Declare the search from outside
 // The furthest point by cells, whatever the points: rows of cells from
-// the outside inwards, and in a row its cells from the outside inwards,
+// the outside inward, and in a row its cells from the outside inward,
 // as long as somebody in them can be further than the furthest so far.
 // With wraparound the outside is where the point itself is. Empty cells
 // cost nothing, empty rows neither. A few distances a point if the

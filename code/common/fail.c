@@ -1,7 +1,7 @@
 //> Fail in one place
-// The program's name and what to clean up are not passed as arguments,
-// because fail must work from anywhere. A program has one of each, so
-// the counting twin has none of its own and uses these.
+// The program's name is not passed as an argument, because fail must
+// work from anywhere. A program has one, so the counting twin has none
+// of its own and uses this.
 #include "common/fail.h"
 #include <errno.h>
 #include <stdarg.h>

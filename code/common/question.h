@@ -17,7 +17,8 @@ struct question {
 struct answers {
     uint32_t *nearest, *furthest; // index of the neighbor
     double *nearest2, *furthest2; // squared distance to it
-    int64_t built_ns;             // clock_ns() when the structure stood
+    // clock_ns() when the structure stood; left alone if there is none
+    int64_t built_ns;
 };
 
 // What answers a question.
