@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <float.h>
 #include <inttypes.h>
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,13 +31,31 @@ static void insist_on_output(void)
 }
 //<
 
+//> Refuse what no memory can hold
+// A system that promises more than it has would end us without a word.
+static void insist_on_memory(uint32_t n)
+{
+    double needed = 40.0 * n; // a point and its answers
+    long pages = sysconf(_SC_PHYS_PAGES);
+    double there = (double)pages * sysconf(_SC_PAGESIZE);
+    if (pages > 0 && needed > there)
+        fail("%" PRIu32 " points and their answers take %.0f GB, and "
+             "this machine has %.0f",
+             n, needed / 1e9, there / 1e9);
+}
+//<
+
 //> Get the points
 static struct points get_points(const struct options *options)
 {
+    if (!options->file)
+        insist_on_memory(options->n);
+    progress_start(options->file ? "reading" : "drawing points", 0);
     struct points points =
         options->file ? read_points(options->file, options->columns)
                       : generate(options->distribution, options->n,
                                  options->seed);
+    progress_stop();
     if (points.n < 2)
         fail("%s: expected at least two points, found one, which has "
              "no neighbor",
@@ -72,6 +91,20 @@ static _Noreturn void refuse_box(struct points points, uint32_t i)
          "name one that holds all points, such as --box "
          "%.17g,%.17g,%.17g,%.17g",
          points.x[i], points.y[i], x0, y0, x1, y1);
+}
+//<
+
+//> Choose how many threads
+// Threads with few points would spend their time waiting for each
+// other.
+static int threads_for(const struct options *options, uint32_t n)
+{
+    enum { POINTS_PER_THREAD = 2000 };
+    if (options->threads)
+        return options->threads;
+    int most = omp_get_max_threads();
+    uint32_t worth = (n - 1) / POINTS_PER_THREAD + 1;
+    return worth < (uint32_t)most ? (int)worth : most;
 }
 //<
 
@@ -273,7 +306,7 @@ static int near(const struct options *options)
 {
     struct points points = get_points(options);
     struct question question = {points, get_space(options, points),
-                                options->threads};
+                                threads_for(options, points.n)};
     struct plan plan = make_plan(options);
     struct answers answers = answers_for(points.n, plan.answers);
     if (options->output)

@@ -68,7 +68,8 @@ static const char *const manual[] = {
     "                the furthest, or one for both); see ALGORITHMS",
     "  -t THREADS    use so many threads at most, 1 to 1024; the",
     "                answers are the same (default: OMP_NUM_THREADS,",
-    "                or else the number of processors)",
+    "                or else the number of processors; but no more",
+    "                than one for every 2000 points)",
     "  -r TRIALS     answer so many times, 1 to 1000000; the summary",
     "                then has the median time (default: 1)",
 
@@ -160,6 +161,9 @@ static const char *const manual[] = {
     "                has)",
     "  OMP_NUM_THREADS",
     "                how many threads to use if -t does not say",
+    "  OMP_WAIT_POLICY",
+    "                passive: threads sleep while they wait for each",
+    "                other; better where other work is going on",
 
     "",
     "EXIT STATUS",

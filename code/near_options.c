@@ -9,7 +9,6 @@
 #include <getopt.h>
 #include <inttypes.h>
 #include <math.h>
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -256,7 +255,6 @@ struct options parse_options(int argc, char **argv)
     struct options options = {.distribution = &distributions[0],
                               .seed = 1,
                               .geometry = STANDARD,
-                              .threads = omp_get_max_threads(),
                               .trials = 1};
     bool generating = false;
     opterr = 0; // the sentences are ours

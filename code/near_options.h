@@ -16,9 +16,9 @@ struct options {
     const struct algorithm *algorithm; // NULL: the fastest
     enum geometry geometry;
     bool has_box;
-    double box[4]; // x0, y0, x1, y1, if it has one
-    int threads, trials;
-    const char *output; // file for the answers, "-": standard output
+    double box[4];       // x0, y0, x1, y1, if it has one
+    int threads, trials; // threads: 0, if nobody asked for so many
+    const char *output;  // file for the answers, "-": standard output
     bool timing, check, list, help;
 };
 

@@ -3,6 +3,7 @@
 // cleans up after a failure must be able to find it: hence the state.
 #include "near_write.h"
 #include "common/fail.h"
+#include "near_progress.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <limits.h>
@@ -142,6 +143,9 @@ void write_answers(struct points points, const struct answers *answers)
     if (answers->furthest)
         fputs("\tfurthest\tfurthest_distance", out);
     fputs("\n", out);
+    struct stat file;
+    if (fstat(fileno(out), &file) == 0 && S_ISREG(file.st_mode))
+        progress_start("writing", points.n);
     for (uint32_t i = 0; i < points.n && !ferror(out); i++) {
         fprintf(out, "%" PRIu32, i);
         write_coordinate(points.x[i]);
@@ -149,7 +153,9 @@ void write_answers(struct points points, const struct answers *answers)
         write_neighbor(answers->nearest, answers->nearest2, i);
         write_neighbor(answers->furthest, answers->furthest2, i);
         fputs("\n", out);
+        progress_row();
     }
+    progress_stop();
     finish();
 }
 //<

@@ -11,6 +11,10 @@ done
 for t in 0 -1 1025 two 1.5; do
     refuses "-t '$t'" "-t: $whole 1 to 1024, found \"$t\"" -n 10 -t "$t"
 done
+# 4294967295 points and their answers are 172 GB.
+if [ "$(($(getconf _PHYS_PAGES) / 1024 * $(getconf PAGESIZE)))" -lt 167000000 ]; then
+    refuses 'more points than memory' '4294967295 points and their answers take 172 GB' -n 4294967295
+fi
 refuses '-r 0' "-r: $whole 1 to 1000000" -n 10 -r 0
 refuses 'a seed with letters' '-s: expected a whole number' -n 10 -s 12a
 refuses 'a seed below zero' '-s: expected a whole number' -n 10 -s -1
@@ -60,3 +64,11 @@ for row in uniform clustered lattice circle kuzmin two-clusters equal collinear;
     grep -q "^$row  *[a-zA-Z]" "$out" && ok "--list has $row" ||
         not_ok "--list has $row" "it has not"
 done
+
+# Threads, if nobody says how many: no more than are worth it.
+threads_of() {
+    OMP_NUM_THREADS=$1 "$near" -n "$2" | sed -n 's/.*at most \([0-9]*\) .*/\1/p'
+}
+says 'few points, one thread' 1 "$(threads_of 4 2000)"
+says 'some points, some threads' 3 "$(threads_of 4 4001)"
+says 'many points, all threads' 4 "$(threads_of 4 8001)"
