@@ -17,6 +17,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/sysinfo.h>
+#endif
 #include <unistd.h>
 
 //> Insist on an output
@@ -33,23 +36,36 @@ static void insist_on_output(void)
 
 //> Refuse what no memory can hold
 // A system that promises more than it has would end us without a word.
-static void insist_on_memory(uint32_t n)
+static double memory_there(void)
 {
-    double needed = 40.0 * n; // a point and its answers
-    long pages = sysconf(_SC_PHYS_PAGES);
-    double there = (double)pages * sysconf(_SC_PAGESIZE);
-    if (pages > 0 && needed > there)
+#ifdef __linux__
+    struct sysinfo system;
+    if (sysinfo(&system) == 0)
+        return ((double)system.totalram + system.totalswap) *
+               system.mem_unit;
+#endif
+    return INFINITY;
+}
+
+static void insist_on_memory(uint32_t n, unsigned answers)
+{
+    const double answer = sizeof(uint32_t) + sizeof(double);
+    double needed = 2 * sizeof(double) * (double)n;
+    needed += (answers & NEAREST ? answer : 0) * n;
+    needed += (answers & FURTHEST ? answer : 0) * n;
+    if (needed > memory_there())
         fail("%" PRIu32 " points and their answers take %.0f GB, and "
              "this machine has %.0f",
-             n, needed / 1e9, there / 1e9);
+             n, needed / 1e9, memory_there() / 1e9);
 }
 //<
 
 //> Get the points
-static struct points get_points(const struct options *options)
+static struct points get_points(const struct options *options,
+                                unsigned answers)
 {
     if (!options->file)
-        insist_on_memory(options->n);
+        insist_on_memory(options->n, answers);
     progress_start(options->file ? "reading" : "drawing points", 0);
     struct points points =
         options->file ? read_points(options->file, options->columns)
@@ -304,10 +320,10 @@ static void print_summary(const struct options *options,
 //> Get points, answer, write
 static int near(const struct options *options)
 {
-    struct points points = get_points(options);
+    struct plan plan = make_plan(options);
+    struct points points = get_points(options, plan.answers);
     struct question question = {points, get_space(options, points),
                                 threads_for(options, points.n)};
-    struct plan plan = make_plan(options);
     struct answers answers = answers_for(points.n, plan.answers);
     if (options->output)
         write_open(options->output);

@@ -17,8 +17,7 @@ struct question {
 struct answers {
     uint32_t *nearest, *furthest; // index of the neighbor
     double *nearest2, *furthest2; // squared distance to it
-    // clock_ns() when the structure stood; left alone if there is none
-    int64_t built_ns;
+    int64_t built_ns;             // clock_ns() once built; or untouched
 };
 
 // What answers a question.
