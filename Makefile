@@ -24,18 +24,22 @@ CXX := $(subst clang,clang++,$(subst gcc,g++,$(patsubst cc,c++,$(CC))))
 endif
 
 override CFLAGS := -std=c17 -O3 -march=$(MARCH) -ffp-contract=off \
-	-fopenmp -Wall -Wextra -Wpedantic $(WERROR) $(CFLAGS)
+	-fopenmp -Wall -Wextra -Wpedantic -Wno-missing-field-initializers \
+	$(WERROR) $(CFLAGS)
 CPPFLAGS := -Icode -D_GNU_SOURCE -MMD -MP
 LDLIBS   := -lm
 
 # ---- what there is -------------------------------------------------
 chapters  := $(patsubst code/ch%,%,$(wildcard code/ch*))
-sources   := $(wildcard code/*.c code/ch*/*.c code/common/*.c code/peers/*.c)
-modules   := $(foreach c,$(sources),$(if $(wildcard $(c:.c=.h)),$(c)))
-mains     := $(filter-out $(modules) code/near.c code/peers/%,$(sources))
-chapter_of = ch$(firstword $(subst -, ,$(patsubst code/ch%,%,$(1))))
-program_of = $(BUILD)/$(call chapter_of,$(1))/$(basename $(notdir $(1)))
-programs  := $(BUILD)/near $(foreach c,$(mains),$(call program_of,$(c)))
+modules     := $(wildcard code/*.c code/common/*.c code/ch*/*.c)
+clients     := $(wildcard code/ch*/experiments/*.c code/near/*.c code/peers/*.c)
+sources     := $(modules) $(clients)
+# What has no .h is a program; the rest is shared by programs and tests.
+shared      := $(foreach c,$(clients),$(if $(wildcard $(c:.c=.h)),$(c)))
+mains       := $(filter-out $(shared) code/near/% code/peers/%,$(clients))
+chapter_of   = ch$(firstword $(subst -, ,$(patsubst code/ch%,%,$(1))))
+program_of   = $(BUILD)/$(call chapter_of,$(1))/$(basename $(notdir $(1)))
+programs    := $(BUILD)/near $(foreach c,$(mains),$(call program_of,$(c)))
 
 # gnuplot wants to know that degrees and dashes are written in UTF-8.
 export LC_ALL = C.UTF-8
@@ -62,6 +66,8 @@ $(BUILD)/setup/test: | $(BUILD)/setup/code
 $(BUILD)/setup/book: | $(BUILD)/setup/test
 $(BUILD)/setup/check: | $(BUILD)/setup/test
 $(BUILD)/setup/peers: | $(BUILD)/setup/code
+$(BUILD)/setup/arm64: | $(BUILD)/setup/code
+$(BUILD)/setup/evidence: | $(BUILD)/setup/code
 
 # Other flags, another compiler: everything is compiled anew.
 flags := $(CC) $(CXX) $(filter-out -Werror,$(CPPFLAGS) $(CFLAGS))
@@ -71,49 +77,45 @@ $(shell mkdir -p $(BUILD) && echo '$(flags)' > $(BUILD)/flags)
 endif
 endif
 
-# ---- modules, twice: as they are, and counting ---------------------
-objects  := $(modules:code/%.c=$(BUILD)/plain/%.o)
-counting := $(modules:code/%.c=$(BUILD)/counting/%.o)
+# ---- modules -------------------------------------------------------
+object_of = $(patsubst code/%.c,$(BUILD)/plain/%.o,$(1))
 
 $(BUILD)/plain/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	@mkdir -p $(@D)
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
 
-$(BUILD)/counting/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
-	@mkdir -p $(@D)
-	$(call say,compile)
-	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -DCOUNTING -c $< -o $@
-
 # A table of measurements says with which flags it was made.
 $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 
-# The counting twin keeps its own names to itself.
-twin := counting_algorithms counting_take counting_search_sorted \
-	counting_search_row_spans counting_search_edge_cells \
-	counting_search_one_corner counting_search_furthest_cells
-$(BUILD)/counting.o: $(counting)
-	$(call say,link)
-ifeq ($(shell uname),Darwin)
-	$(Q)$(CC) -r -nostdlib $(twin:%=-Wl,-exported_symbol,_%) -o $@ $^
-else
-	$(Q)$(CC) -r -nostdlib -o $@.all $^
-	$(Q)objcopy $(twin:%=--keep-global-symbol=%) $@.all $@
-	@rm -f $@.all
-endif
+# The modules are one library, what programs share is another. Both are
+# thin, lists of objects, where ar can make such; each program takes
+# from them what it uses.
+libraries := $(BUILD)/libshared.a $(BUILD)/libnear.a
+thin      := $(if $(filter Darwin,$(shell uname)),,T)
+$(BUILD)/libnear.a: $(call object_of,$(modules))
+$(BUILD)/libshared.a: $(call object_of,$(shared))
+$(libraries):
+	$(call say,collect)
+	@rm -f $@
+	$(Q)$(AR) qcs$(thin) $@ $^
 
-$(BUILD)/near: $(BUILD)/plain/near.o $(objects) $(BUILD)/counting.o
-	$(call say,link)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LDLIBS)
-
-define program_rule
-$(call program_of,$(1)): $(1:code/%.c=$(BUILD)/plain/%.o) $$(objects) \
-		$(BUILD)/counting.o
+# Program $(1) of the objects $(2), with $(3) besides. The linker tells
+# which objects of the libraries it took, and from then on the program
+# waits for these, and no longer for all.
+define link_rule
+$(1): $(2) $(if $(wildcard $(1).d),|) $(libraries)
 	@mkdir -p $$(@D)
 	$$(call say,link)
-	$$(Q)$$(CC) $$(CFLAGS) $$^ -o $$@ $$(LDLIBS)
+	$$(Q)$$(CC) $$(CFLAGS) $(2) $$(libraries) -o $$@ $(3) $$(LDLIBS) \
+		-Wl,-t >$$@.taken
+	@awk -v program=$$@ -v own=' $(strip $(2)) ' -v plain=$(BUILD)/plain/ \
+		'index($$$$0, plain) == 1 && !index(own, " " $$$$0 " ") \
+		{ print program ": " $$$$0 "\n" $$$$0 ":" }' $$@.taken >$$@.d
+	@rm $$@.taken; test -s $$@.d || rm $$@.d
 endef
-$(foreach c,$(mains),$(eval $(call program_rule,$(c))))
+$(eval $(call link_rule,$(BUILD)/near,$(BUILD)/plain/near/near.o))
+$(foreach c,$(mains),$(eval $(call link_rule,$(call program_of,$(c)),$(call object_of,$(c)))))
 
 # ---- tests ---------------------------------------------------------
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
@@ -128,22 +130,18 @@ $(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	$(call say,compile)
 	$(Q)$(CC) $(CPPFLAGS) -Itests $(CFLAGS) -c $< -o $@
 
-# Vector code whose instructions are emulated by SIMDe, whose lanes wrap
-# around as signed numbers.
+# Vector code whose instructions are emulated by SIMDe: its lanes wrap
+# around as signed numbers, its casts look at one vector as another, and
+# it is to be tested on every machine as on the plainest.
 emulated := $(patsubst %.c,$(BUILD)/plain/%.o,$(wildcard tests/instructions/*.c))
 $(emulated): tests/instructions/emulated/immintrin.h
 $(emulated): CPPFLAGS += -DEMULATED -isystem tests/instructions/emulated
-$(emulated): override CFLAGS += -Wno-psabi -fwrapv
+$(emulated): override CFLAGS += -Wno-psabi -fwrapv -fno-strict-aliasing \
+	-march=$(plainest)
 $(emulated): | $(BUILD)/setup/test
 
-define test_rule
-$(BUILD)/tests/$(1): $(patsubst %.c,$(BUILD)/plain/%.o,tests/harness.c \
-		$(wildcard tests/$(1)/*.c)) $$(objects) $(BUILD)/counting.o
-	@mkdir -p $$(@D)
-	$$(call say,link)
-	$$(Q)$$(CC) $$(CFLAGS) $$^ -o $$@ -lcunit $$(LDLIBS)
-endef
-$(foreach f,$(test_folders),$(eval $(call test_rule,$(f))))
+tests_of = $(patsubst %.c,$(BUILD)/plain/%.o,tests/harness.c $(wildcard tests/$(1)/*.c))
+$(foreach f,$(test_folders),$(eval $(call link_rule,$(BUILD)/tests/$(f),$(call tests_of,$(f)),-lcunit)))
 
 #: every test: programs, command line, press, exercises
 test: $(programs) $(filter $(TESTS:%=$(BUILD)/tests/%),$(test_programs)) \
@@ -159,23 +157,45 @@ test-all: | $(BUILD)/setup/check
 # ---- the book ------------------------------------------------------
 figures := $(patsubst book/figures/%.gp,$(BUILD)/figures/%.pdf,\
 	$(filter-out book/figures/style.gp,$(wildcard book/figures/*.gp)))
+drawings := $(patsubst book/drawings/%.tex,$(BUILD)/drawings/%.pdf,\
+	$(filter-out book/drawings/style.tex,$(wildcard book/drawings/*.tex)))
 press   := $(shell find book/press $(wildcard book/manual) book/*.md book/*.bib exercises -type f)
 
-$(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp \
-		$(wildcard book/data/*.tsv) | $(BUILD)/setup/book
+# A figure is drawn from the tables that its file names.
+tables := $(shell grep -o '/[a-z0-9-]*\.tsv' book/figures/*.gp)
+$(foreach t,$(tables),$(eval $(patsubst book/figures/%.gp,$(BUILD)/figures/%.pdf,$(firstword \
+	$(subst :, ,$(t)))): book/data$(lastword $(subst :, ,$(t)))))
+
+$(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp | $(BUILD)/setup/book
 	@mkdir -p $(@D)
 	$(call say,draw)
 	$(Q)gnuplot -e "format = 'pdf'; output = '$@'; data = 'book/data'" $<
 
-$(BUILD)/near-and-far.pdf: $(programs) $(figures) $(press) $(sources) \
-		$(wildcard chapters/*.md code/*.h code/*/*.h code/*/*.cc book/data/*.tsv) \
+$(BUILD)/drawings/%.pdf: book/drawings/%.tex book/drawings/style.tex \
+		book/drawings/draw | $(BUILD)/setup/book
+	@mkdir -p $(@D)
+	$(call say,draw)
+	$(Q)book/drawings/draw $< $@
+
+$(BUILD)/near-and-far.pdf: $(programs) $(figures) $(drawings) $(press) $(sources) \
+		$(wildcard chapters/*.md code/*.h code/*/*.h code/*/*/*.h code/*/*.cc book/data/*.tsv) \
 		| $(BUILD)/setup/book
 	$(call say,print)
 	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --build $(BUILD)
 
 #: the book's faults, without typesetting it
-check-book: $(programs) $(figures) | $(BUILD)/setup/test
+check-book: $(programs) $(figures) $(drawings) | $(BUILD)/setup/test
 	@BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --check --build $(BUILD)
+
+#: every figure, as PDF under build/figures
+figures: $(figures)
+
+#: every drawing, as PDF and SVG under build/drawings
+drawings: $(drawings) $(drawings:.pdf=.svg)
+
+$(BUILD)/drawings/%.svg: $(BUILD)/drawings/%.pdf
+	$(call say,draw)
+	$(Q)pdftocairo -svg $< $@
 
 #: the pictures and the numbers in README.md, from book/data
 readme: | $(BUILD)/setup/book
@@ -211,6 +231,15 @@ measure: $(programs)
 measureN:
 	@echo "say make measure1, make measure2, ..."
 
+#: count anew what valgrind and llvm-mca count, in a minute
+evidence: $(programs) | $(BUILD)/setup/evidence
+	@for script in book/experiments/*-evidence.sh; do \
+	    name=$$(basename "$$script" .sh); echo "count $$name"; \
+	    BUILD=$(BUILD) CC="$(CC)" FULL=yes sh "$$script" \
+	        >"$(BUILD)/$$name.tsv" && \
+	    mv "$(BUILD)/$$name.tsv" book/data || exit 1; \
+	done
+
 # ---- other libraries -----------------------------------------------
 # What only `make peers` needs: C++, and the libraries themselves.
 peers     := $(patsubst code/%.cc,$(BUILD)/plain/%.o,$(wildcard code/peers/*.cc))
@@ -226,8 +255,8 @@ $(peers): $(BUILD)/plain/peers/%.o: code/peers/%.cc $(BUILD)/flags \
 
 $(BUILD)/plain/peers/compare.o: CPPFLAGS += -DPEER_FLAGS='"$(PEERFLAGS)"'
 
-$(BUILD)/peers/compare: $(BUILD)/plain/peers/compare.o $(peers) $(objects) \
-		$(BUILD)/counting.o
+$(BUILD)/peers/compare: $(BUILD)/plain/peers/compare.o $(peers) \
+		$(libraries)
 	@mkdir -p $(@D)
 	$(call say,link)
 	$(Q)$(CXX) $(PEERFLAGS) $^ -o $@ $(PEERLIBS) $(LDLIBS)
@@ -270,12 +299,31 @@ include $(wildcard exercises/course/course.mk)
 check-race: | $(BUILD)/setup/check
 	tests/check-race $(BUILD)/race
 
-#: the programs' tests under the address and undefined-behavior sanitizers
+#: the programs' tests under sanitizers, and what they cover
 check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
 		TESTS="$(filter-out exercises grade press sheet,$(TESTS))" \
 		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
-		-fsanitize=address,undefined,float-cast-overflow"
+		-fsanitize=address,undefined,float-cast-overflow --coverage"
+	tests/coverage $(BUILD)/memory 93
+
+# OpenMP's pragmas make the analyzer see values that nothing has set, so
+# it reads the programs as one thread would run them.
+analyzed := $(patsubst code/%.c,$(BUILD)/analyzed/%.o,\
+	$(modules) $(wildcard code/near/*.c))
+
+#: gcc's static analyzer on every module
+analyze: $(analyzed)
+
+$(BUILD)/analyzed/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
+	@mkdir -p $(@D)
+	$(call say,analyze)
+	$(Q)gcc $(CPPFLAGS) -std=c17 -O1 -march=$(MARCH) -ffp-contract=off \
+		-fanalyzer -Wno-analyzer-use-of-uninitialized-value -Werror -c $< -o $@
+
+#: corpus and command line on an emulated arm64 processor
+check-arm64: | $(BUILD)/setup/arm64
+	tests/check-arm64 $(BUILD)/arm64
 
 #: lay out the C as .clang-format says
 format: | $(BUILD)/setup/check
@@ -294,8 +342,11 @@ help:
 	  text != "" { split($$0, a, ":"); printf "  %-14s %s\n", a[1], text; text = "" }' \
 	  Makefile $(wildcard exercises/course/course.mk)
 
--include $(wildcard $(patsubst %,$(BUILD)/%.d,plain/* plain/*/* plain/*/*/* \
-	counting/* counting/*/*))
+# What each object and each program waits for, of those that there are.
+compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc)) \
+	$(wildcard tests/*.c tests/*/*.c)
+-include $(wildcard $(patsubst %,$(BUILD)/plain/%.d,$(basename $(compiled))) \
+	$(patsubst %,%.d,$(programs) $(test_programs)))
 
-.PHONY: all programs test test-all check-book readme chapterN measure measureN
-.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory format clean help
+.PHONY: all programs test test-all check-book figures drawings readme chapterN measure measureN evidence
+.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory analyze check-arm64 format clean help

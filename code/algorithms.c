@@ -8,10 +8,10 @@
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
 #include "ch03-half-pairs/triangle_tiles.h"
+#include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"
-#include "ch04-cell-sort/together.h"
-#include "ch05-collisions/bands.h"
 #include "ch05-collisions/groups.h"
+#include "ch05-collisions/cells_threads.h"
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "ch09-row-spans/row_spans.h"
@@ -21,24 +21,20 @@
 #include "common/fail.h"
 #include <string.h>
 
-#ifdef COUNTING
-#define TABLE counting_algorithms
-#else
-#define TABLE algorithms
-#endif
-
 //> Give every algorithm its row
-const struct algorithm TABLE[] = {
+const struct algorithm algorithms[] = {
+    //> Give the plain search its row
     {"naive", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
      "every pair, plainly", naive},
+    //<
     {"triangle", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2/2",
      "every pair once", triangle},
     {"triangle-critical", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "guarded by one lock", triangle_critical},
+     "n^2/2", "one lock behind a look", triangle_critical},
     {"triangle-atomic", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "every best its own lock", triangle_atomic},
+     "n^2/2", "a lock in each best", triangle_atomic},
     {"triangle-reduction", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n^2/2", "answers for each thread", triangle_reduction},
+     "n^2/2", "private answers, merged", triangle_reduction},
     {"tiles", 2, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n^2",
      "eight points at a time", tiles},
     {"triangle-tiles", 3, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
@@ -52,11 +48,11 @@ const struct algorithm TABLE[] = {
     {"spiral", 7, STANDARD | WRAPAROUND, NEAREST, "n",
      "out in layers of cells", spiral},
     {"vector-spiral", 8, STANDARD | WRAPAROUND, NEAREST, "n",
-     "spirals march in step", vector_spiral},
+     "spiral searches in step", vector_spiral},
     {"cells-groups", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted 64 at a time", cells_groups},
     {"cells", 4, STANDARD | WRAPAROUND, NEAREST, "n",
-     "four points ask together", cells_together},
+     "batches of four queries", cells_batched},
     {"cells-threads", 5, STANDARD | WRAPAROUND, NEAREST, "n",
      "sorted by all threads", cells_threads},
     {"row-spans", 9, STANDARD | WRAPAROUND, NEAREST, "n",
@@ -70,7 +66,6 @@ const struct algorithm TABLE[] = {
 };
 //<
 
-#ifndef COUNTING
 const int algorithm_count = sizeof algorithms / sizeof *algorithms;
 
 //> Look an algorithm up
@@ -114,10 +109,11 @@ struct counts count_operations(const struct algorithm *algorithm,
                                const struct question *question,
                                struct answers *answers)
 {
-    counting_take();
-    counting_algorithms[algorithm - algorithms].run(question, answers);
-    return counting_take();
+    struct counts counts = {0};
+    struct question counted = *question;
+    counted.counts = &counts;
+    algorithm->run(&counted, answers);
+    return counts;
 }
 //<
-#endif
 //<

@@ -1,10 +1,8 @@
 //> Declare the table of algorithms
 // An algorithm is a row in one table. Whatever is in it is listed by
 // `near --list`, faces every test of the corpus, and can be named in
-// an experiment. The table exists twice in a program: algorithms[],
-// and counting_algorithms[], whose functions count what they do.
+// an experiment.
 #pragma once
-#include "common/count.h"
 #include "common/question.h"
 
 enum answer { NEAREST = 1, FURTHEST = 2 }; // bits of a set
@@ -19,7 +17,7 @@ struct algorithm {
     search_function *run;
 };
 
-extern const struct algorithm algorithms[], counting_algorithms[];
+extern const struct algorithm algorithms[];
 extern const int algorithm_count;
 
 // NULL if there is no such row.
@@ -33,7 +31,7 @@ const struct algorithm *fastest_algorithm(enum geometry geometry,
 // others are NULL. Released with answers_free.
 struct answers answers_for(uint32_t n, unsigned given);
 
-// Runs the row's counting twin once and returns what it counted.
+// Runs the algorithm once and returns what it counted.
 struct counts count_operations(const struct algorithm *algorithm,
                                const struct question *question,
                                struct answers *answers);

@@ -5,7 +5,8 @@
 # pointer.
 set -eu
 "$BUILD/ch02/rates" 1 | grep "^#"
-objdump -d --no-show-raw-insn "$BUILD"/plain/ch02-all-pairs/*.o | awk -F '\t' '
+objdump -d --no-show-raw-insn "$BUILD"/plain/ch02-all-pairs/*.o \
+    "$BUILD"/plain/ch02-all-pairs/experiments/choices.o | awk -F '\t' '
     BEGIN {
         print "name\tvector\tscalar\tcalls"
         split("pointer_rows flag_rows copies_rows pointer_lanes_rows " \

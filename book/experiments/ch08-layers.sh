@@ -1,3 +1,3 @@
 #!/bin/sh
-# Tasks and cells in every layer of the march, counted and expected
+# Tasks and cells in every layer of the search in step, counted and expected
 exec "$BUILD/ch08/layers" 

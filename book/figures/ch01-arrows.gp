@@ -1,5 +1,9 @@
 # Every point with an arrow to its nearest neighbor, and beside it the
 # same points with a line to the furthest.
+# alt: Thirty points, twice. On the left each has an arrow to its
+# nearest neighbor, and many arrows point both ways; on the right each
+# has a line to its furthest point, and all lines end at a few points on
+# the rim.
 height = 2.5
 load "book/figures/style.gp"
 table = data . "/ch01-arrows.tsv"

@@ -1,5 +1,9 @@
 # Lines of equal distance from one point: plainly, to the closest image
 # and to the furthest image.
+# alt: Lines of equal distance around one point, three times: circles;
+# circles that meet in edges where two images of the point are equally
+# close; and, for the furthest image, arcs that enclose a place half a
+# side away.
 height = 1.85
 load "book/figures/style.gp"
 table = data . "/ch01-images.tsv"

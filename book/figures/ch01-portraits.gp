@@ -1,4 +1,7 @@
 # One small picture for every generator.
+# alt: Eight small squares with points: spread evenly, in clusters, on a
+# lattice, on a circle, crowded around a center, at two places, at one
+# place, on a line.
 height = 2.75
 load "book/figures/style.gp"
 table = data . "/ch01-portraits.tsv"

@@ -1,4 +1,6 @@
 # Nanoseconds a pair against the size of a block.
+# alt: One curve, nanoseconds a pair over the candidates in a block: a
+# flat valley in the middle that rises at both ends.
 height = 1.9
 load "book/figures/style.gp"
 table = data . "/ch02-blocks.tsv"

@@ -1,4 +1,8 @@
 # The mean nearest distance against the number of points.
+# alt: The mean nearest distance over the number of points, as a
+# multiple of the expected one. In the standard geometry it begins above
+# one and falls toward it along the predicted curve; with wraparound it
+# stays at one.
 height = 2.3
 load "book/figures/style.gp"
 table = data . "/ch02-growth.tsv"

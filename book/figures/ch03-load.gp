@@ -1,5 +1,8 @@
 # The share of the pairs that each of ten threads gets under three static
 # schedules.
+# alt: For ten threads the share of all pairs under three schedules. One
+# block each falls from a fifth to almost nothing; four blocks each
+# falls gently; row by row is level at a tenth.
 height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch03-load.tsv"

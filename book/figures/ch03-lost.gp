@@ -1,5 +1,8 @@
 # Wrong answers a run of the unguarded loop, by the number of points, for
 # points at random and for houses along a street.
+# alt: Wrong answers in a run over the number of points, both axes
+# logarithmic. For houses along a street the curve rises; for points at
+# random it stays far below.
 # demo: plot
 height = 2.3
 load "book/figures/style.gp"

@@ -1,5 +1,8 @@
 # The time of the triangular loop with private answers, by schedule and
 # chunk, with quartiles; side by side where they would cover each other.
+# alt: Nanoseconds a pair over the rows in a chunk. Static and dynamic
+# chunks lie together below, guided ones far above, at the line for one
+# block each.
 height = 2.6
 load "book/figures/style.gp"
 table = data . "/ch03-schedules.tsv"

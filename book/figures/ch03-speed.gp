@@ -1,5 +1,9 @@
 # How many times faster than the serial naive search each version is, in
 # both geometries, and beside it what the coursework reports.
+# alt: For each version, in both geometries, how many times faster than
+# the naive search it is, on a logarithmic axis, as points for one
+# thread and for all processors, with the ratios of the coursework as
+# open marks. They rise from left to right.
 height = 2.9
 load "book/figures/style.gp"
 table = data . "/ch03-speed.tsv"

@@ -1,11 +1,15 @@
 # Distances for each point against the number of points: cells that hold
 # two points, and cells that hold as many as there are cells.
+# alt: Distances a point over the number of points, both axes
+# logarithmic. With two points in a cell the curve is level; with as
+# many points in a cell as there are cells it rises along a straight
+# line.
 # demo: plot
 height = 2.6
 load "book/figures/style.gp"
 table = data . "/ch04-crowding.tsv"
 set logscale xy
-set format x "10^{%T}"
+set format x powers
 set xlabel "points, n"
 set ylabel "distances a point" offset 1
 set yrange [5:20000]

@@ -1,5 +1,8 @@
 # The share of wrong neighbors if nine cells are searched and no test is
 # made, against the number of points in a cell: expected and counted.
+# alt: The share of wrong neighbors over the points in a cell, both axes
+# logarithmic: an expected curve that falls ever more steeply, with the
+# counted values as circles on it.
 # demo: plot
 height = 2.6
 load "book/figures/style.gp"
@@ -8,7 +11,7 @@ set logscale x 2
 set logscale y
 set xrange [0.22:4.5]
 set yrange [1e-8:1]
-set format y "10^{%T}"
+set format y powers
 set xlabel "points in a cell, c"
 set ylabel "share of wrong neighbors" offset -0.5
 set key top right

@@ -1,6 +1,10 @@
 # Losers among all points, by the number of lanes in a group: marks are
 # counted, lines expected; thin, half the lanes times the points in a
 # cell.
+# alt: Losers over the lanes in a group, both axes logarithmic, for five
+# kinds of points. For uniform and clustered points they rise in
+# straight lines, for the crowded kinds they are near their most
+# everywhere.
 # demo: plot
 height = 3.1
 load "book/figures/style.gp"
@@ -10,7 +14,7 @@ set logscale x 2
 set xlabel "lanes in a group"
 set ylabel "losers"
 set format x "2^{%L}"
-set format y "10^{%T}"
+set format y powers
 set key bottom right
 set xrange [6:*]
 set yrange [4:300000]

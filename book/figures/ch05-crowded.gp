@@ -1,5 +1,8 @@
 # Nanoseconds a point for the cell sort of points of all kinds, on all
-# processors: where the points crowd, atomics queue and bands are one.
+# processors: where the points crowd, atomics queue and the partition is one.
+# alt: Nanoseconds a point of four sorts for five kinds of points. The
+# atomic one grows with the crowd to many times the others, which stay
+# about level.
 # demo: plot
 height = 2.8
 load "book/figures/style.gp"
@@ -12,8 +15,8 @@ set boxwidth 0.9
 set key outside top center horizontal
 set xtics scale 0 ("uniform" 0, "clustered" 1, "two clusters" 2, "kuzmin" 3, "equal" 4)
 # The kinds stand in the table in this order, five sorts each;
-# the last is the bands once more.
+# the last is the partition in fresh memory.
 plot table every 5::0 using "one" lt 6 fs solid 0.25 title "serial, one thread", \
      "" every 5::1 using "all" lt 2 fs pattern 4 title "atomic", \
      "" every 5::2 using "all" lt 3 fs pattern 2 title "private", \
-     "" every 5::3 using "all" lt 1 fs solid 0.75 title "bands"
+     "" every 5::3 using "all" lt 1 fs solid 0.75 title "partition"

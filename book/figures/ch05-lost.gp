@@ -1,6 +1,9 @@
 # The share of its points that each of some 576 cells was said to
 # hold: in groups of lanes a cell counts at most once a group; two
 # threads lose where they meet.
+# alt: The share of the points that was counted, over the points in a
+# cell, on a logarithmic axis. All curves begin at one and fall, the
+# sooner the more lanes there are in a group.
 # demo: plot
 height = 2.7
 load "book/figures/style.gp"
@@ -12,7 +15,7 @@ most = STATS_max
 set logscale x
 set xlabel "points in a cell"
 set ylabel "counted, of all"
-set format x "10^{%T}"
+set format x powers
 set xrange [10:2 * most]
 set yrange [0:1.05]
 set key bottom left

@@ -1,5 +1,8 @@
 # Nanoseconds for a useful step against how often the lanes are packed,
 # in short and in long vectors, and what the prices predict.
+# alt: Nanoseconds a useful step over the steps between two packings,
+# both axes logarithmic. Short vectors and one long one each have a
+# valley in the middle, near the predicted curve.
 # demo: plot
 height = 2.2
 load "book/figures/style.gp"
@@ -26,7 +29,7 @@ do for [v = 1:2] {
   }
   q[v] = sum
 }
-plot table using "every":"short_ns" with points lt 1 title "short vectors", \
-     "" using "every":((a[1] + q[1] / column("every")) * column("done")) with lines lt 1 dt 1 lw 0.8 title "predicted", \
-     "" using "every":"long_ns" with points lt 2 title "one long vector", \
-     "" using "every":((a[2] + q[2] / column("every")) * column("done")) with lines lt 2 dt 2 lw 0.8 title "predicted"
+plot table using "every":"short_ns" with points lt 1 title "short vectors, measured", \
+     "" using "every":((a[1] + q[1] / column("every")) * column("done")) with lines lt 1 dt 1 lw 0.8 title "short vectors, predicted", \
+     "" using "every":"long_ns" with points lt 2 title "one long vector, measured", \
+     "" using "every":((a[2] + q[2] / column("every")) * column("done")) with lines lt 2 dt (10,5) lw 1 title "one long vector, predicted"

@@ -1,5 +1,8 @@
 # The share of the points that are still on their way after k steps, and
 # what of it will not stay forever.
+# alt: The percentage of points still on their way over the number of
+# steps, both axes logarithmic. It falls to a level that stays; what is
+# above that level falls along a straight line.
 height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch06-emptying.tsv"

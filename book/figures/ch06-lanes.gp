@@ -1,5 +1,8 @@
 # One row of the picture as a vector, never packed and packed after
 # every eight steps: black is useful work, gray is work for nothing.
+# alt: Two pictures of lanes by steps. Never packed, most of the area is
+# gray, wasted work; packed after every eight steps, the area shrinks to
+# a narrow black block.
 height = 1.9
 load "book/figures/style.gp"
 table = data . "/ch06-lanes.tsv"

@@ -1,4 +1,6 @@
 # The points of the plane, darker the longer they are on their way.
+# alt: The Mandelbrot set in black, with gray levels around it that are
+# darker near its border.
 height = 2.2
 load "book/figures/style.gp"
 table = data . "/ch06-portrait.tsv"

@@ -1,5 +1,8 @@
 # Distances a point over the number of points. Dots: medians; lines: from
 # the quartiles to the extremes.
+# alt: Distances a point over the number of points, with one and with
+# two points in a cell. Medians approach the expected line, and the
+# spread shrinks.
 # demo: plot
 height = 2.5
 load "book/figures/style.gp"

@@ -1,5 +1,9 @@
 # How often each cell around the point is looked at, of a hundred
 # searches: counted, and expected.
+# alt: Two squares of five by five cells with the percentage of searches
+# that look at each, counted and expected: the query's own cell always,
+# its neighbors more than half of the time, the outer ones less than
+# once in a hundred. Both squares agree.
 height = 2.75
 load "book/figures/style.gp"
 table = data . "/ch07-visits.tsv"

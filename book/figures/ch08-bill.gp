@@ -1,5 +1,7 @@
-# Nanoseconds a point in each loop of the march by primitives: predicted
+# Nanoseconds a point in each loop of the search by primitives: predicted
 # from the prices, and measured.
+# alt: Predicted and measured nanoseconds a point for each of the loops
+# of the search; the pairs are of similar height.
 # demo: plot
 height = 2.1
 load "book/figures/style.gp"

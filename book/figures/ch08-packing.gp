@@ -1,5 +1,8 @@
 # Lanes that the loop over points occupies for each point, over the
-# length of the strips: with packing, and if nobody were packed away.
+# length of the strips: with packing, and if no task were packed away.
+# alt: Lanes used for a useful one over the tasks in a strip, both axes
+# logarithmic. Packed in each loop the curve falls toward one; never
+# packed it rises.
 height = 2.1
 load "book/figures/style.gp"
 table = data . "/ch08-strips.tsv"

@@ -1,5 +1,8 @@
 # Distances a point, one by one and in step, uniform and clustered.
 # Dots: medians; lines: from the quartiles to the extremes.
+# alt: Distances a point over the number of points, in step and one by
+# one, for uniform and for clustered points. In step needs about one
+# distance more.
 # demo: plot
 height = 2.4
 load "book/figures/style.gp"

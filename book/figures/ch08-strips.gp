@@ -1,5 +1,8 @@
 # Nanoseconds a point over the length of the strips, by primitives and
 # fused. Vertical: where a strip fills the caches.
+# alt: Nanoseconds a point over the tasks in a strip, both axes
+# logarithmic, by primitives and fused. Both fall to a valley between
+# the first and the second cache and rise after it.
 # demo: plot
 height = 2.5
 load "book/figures/style.gp"

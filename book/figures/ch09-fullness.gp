@@ -1,5 +1,8 @@
 # The sort that carries, the search, and both, over the number of points
 # in a cell.
+# alt: Nanoseconds a point over the points in a cell: the search falls
+# and then rises a little, the sort is nearly level, and their sum has a
+# wide valley.
 height = 2.7
 load "book/figures/style.gp"
 table = data . "/ch09-fullness.tsv"

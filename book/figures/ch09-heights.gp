@@ -1,4 +1,7 @@
 # The whole time a point over the number of points, with the caches.
+# alt: Nanoseconds a point over the number of points, both axes
+# logarithmic, for four searches; row spans are below the cells, which
+# are below the spiral, and the distance grows with the points.
 # demo: plot
 height = 2.8
 load "book/figures/style.gp"

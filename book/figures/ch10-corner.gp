@@ -1,5 +1,9 @@
 # Two searches by the corner trick: the circle, the cells with a part
 # outside, the point found, and where the corner is empty the one missed.
+# alt: Two maps of cells with points and a circle's arc near the upper
+# right corner. On the left the cells outside of the circle hold the
+# furthest point; on the right the corner cell is empty and a further
+# point is missed.
 height = 2.75
 load "book/figures/style.gp"
 table = data . "/ch10-corner.tsv"
@@ -26,7 +30,7 @@ do for [panel in "sound broken"] {
   plot table using (of(panel . "_cell", 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
          with boxxyerror fs solid 1 noborder fc rgb "#f0d3c2" notitle, \
        "" using (of(panel . "_point", 2)):3 with points pt 7 ps 0.28 lc rgb "#555555" notitle, \
-       "" using (of(panel . "_asks", 2)):3 with points pt 7 ps 0.9 lc rgb "black" title "asks", \
+       "" using (of(panel . "_asks", 2)):3 with points pt 7 ps 0.9 lc rgb "black" title "query", \
        "" using (of(panel . "_found", 2)):3 with points pt 5 ps 0.8 lc rgb "#c4511a" title "found", \
        "" using (panel eq "broken" ? of("broken_right", 2) : -9):3 \
          with points pt 9 ps 1.0 lc rgb "#14447c" title "missed"

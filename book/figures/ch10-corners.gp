@@ -1,4 +1,7 @@
 # The corners of the hull of uniform points, over their number.
+# alt: The corners of the hull over the number of points, on a
+# logarithmic axis: they follow a straight line that rises. Those that
+# are the furthest of any point stay at about six.
 # demo: plot
 height = 2.2
 load "book/figures/style.gp"
@@ -12,5 +15,5 @@ set xtics ("100" 100, "1,000" 1000, "10,000" 10000, "100,000" 100000, "1,000,000
 set yrange [0:*]
 set key top left
 plot 8.0/3*(log(x) + 0.5772 - log(2)) with lines lt 6 title "expected", \
-     table using "n":(uniform(column("corners"))) with points lt 1 ps 0.9 title "corners", \
-     "" using "n":(uniform(column("asked"))) with points lt 2 ps 0.8 title "somebody's furthest"
+     table using "n":(uniform(column("corners"))) with points lt 1 pt 7 ps 0.9 title "corners of the hull", \
+     "" using "n":(uniform(column("asked"))) with points lt 2 pt 4 ps 0.9 title "furthest of at least one point"

@@ -1,4 +1,6 @@
 # The furthest distances in both geometries.
+# alt: Histograms of the furthest distances: in the standard geometry a
+# wide hill, with wraparound a narrow one close to its largest value.
 # demo: plot
 height = 1.9
 load "book/figures/style.gp"

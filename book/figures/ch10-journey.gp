@@ -1,7 +1,10 @@
 # Nanoseconds a point of every program, from the first to the last;
 # crosses are what the coursework reports.
+# alt: Every program from the first to the last, in rows, with its
+# nanoseconds a point on a logarithmic axis. From top to bottom they
+# fall by four powers of ten and more.
 # demo: plot
-height = 4.1
+height = 4.6
 load "book/figures/style.gp"
 table = data . "/ch10-journey.tsv"
 row(name) = 0 + system(sprintf("grep -v '^#' %s | awk -F '\t' 'NR > 1 && $1 == \"%s\" { print NR - 2 }'", table, name))
@@ -10,11 +13,11 @@ rows = STATS_records
 unset grid
 set grid xtics lc rgb "#dddddd" lw 0.5 dt 1
 set logscale x
-set format x "10^{%T}"
-set xlabel "ns a point"
+set format x powers
+set xlabel "ns a point" offset 0,0.4
 set yrange [rows - 0.5:-0.6]
 set ytics scale 0 font ",8"
-set key at graph 0.99,0.02 right bottom Left reverse samplen 1.5 spacing 1.3 opaque
+set key outside bottom center horizontal maxrows 3 samplen 2 spacing 1.2
 name(k) = system(sprintf("echo %s | tr _ -", strcol(1)))
 set print $reported
 print "ns\trow"
@@ -27,8 +30,8 @@ print sprintf("3.15e6\t%d", row("first"))
 print sprintf("1.748e6\t%d", row("triangle"))
 unset print
 plot table using "standard":0:ytic(name(1)) with linespoints lt 1 title "standard, one thread", \
-     "" using "standard_all":0 with points lt 1 pt 6 ps 0.7 title "all threads", \
-     "" using "wraparound":0 with linespoints lt 2 title "wraparound, one thread", \
-     "" using "wraparound_all":0 with points lt 2 pt 4 ps 0.7 title "all threads", \
-     $reported using 1:2 with points pt 2 ps 0.9 lc rgb "#14447c" title "coursework, standard", \
-     $wrapped using 1:2 with points pt 1 ps 1.1 lc rgb "#c4511a" title "coursework, wraparound"
+     "" using "standard_all":0 with points lt 1 pt 6 ps 0.75 title "standard, all threads", \
+     $reported using 1:2 with points pt 2 ps 0.9 lc rgb "#14447c" title "standard, coursework", \
+     table using "wraparound":0 with linespoints lt 2 title "wraparound, one thread", \
+     "" using "wraparound_all":0 with points lt 2 pt 4 ps 0.75 title "wraparound, all threads", \
+     $wrapped using 1:2 with points pt 1 ps 1.1 lc rgb "#c4511a" title "wraparound, coursework"

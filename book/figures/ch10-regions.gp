@@ -1,4 +1,7 @@
 # Uniform and clustered points, each colored by its furthest.
+# alt: Two maps of points in shades, one for each furthest point:
+# regions with straight borders that fan out; the furthest points,
+# ringed, lie on the rim.
 height = 2.5
 load "book/figures/style.gp"
 table = data . "/ch10-regions.tsv"

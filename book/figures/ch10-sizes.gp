@@ -1,5 +1,8 @@
 # The whole time a point over the number of points: the nearest, the
 # furthest, and both.
+# alt: Nanoseconds a point over the number of points, both axes
+# logarithmic, for five searches. Both answers together are highest; the
+# furthest by the candidate grid is lowest.
 # demo: plot
 height = 2.8
 load "book/figures/style.gp"
@@ -15,4 +18,4 @@ plot table using "n":"both":"both_q1":"both_q3" with yerrorlines lt 4 title "bot
      "" using "n":"spans":"spans_q1":"spans_q3" with yerrorlines lt 1 title "nearest, row spans", \
      "" using "n":"cells":"cells_q1":"cells_q3" with yerrorlines lt 2 title "furthest, by cells", \
      "" using "n":"hull":"hull_q1":"hull_q3" with yerrorlines lt 3 title "furthest, by the hull", \
-     "" using "n":"far":"far_q1":"far_q3" with yerrorlines lt 5 title "furthest, by regions"
+     "" using "n":"far":"far_q1":"far_q3" with yerrorlines lt 5 title "furthest, candidate grid"

@@ -17,6 +17,10 @@ if (format eq "png") set terminal pngcairo size width*200,height*200 \
 if (format eq "dumb") set terminal dumb size 78,24 noenhanced
 if (format ne "dumb") set output output
 
+# How an axis of powers of ten is labeled, `set format x powers`: as
+# 10 with an exponent, in the terminal as 1, 10, 1 k, 1 M.
+powers = format eq "dumb" ? "%.0s %c" : "10^{%T}"
+
 set encoding utf8
 set datafile separator tab
 set datafile commentschars "#"

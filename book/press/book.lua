@@ -5,13 +5,16 @@ local job = dofile(os.getenv("PRESS_JOB"))
 package.path = job.press .. "/?.lua;" .. package.path
 
 local context = require "context"
+local declared = require "declared"
 local emblem = require "emblem"
 local exercises = require "exercises"
 local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
+local glossary = require "glossary"
 local latex = require "latex"
 local manual = require "manual"
+local numbering = require "numbering"
 local sheet = require "sheet"
 local source = require "source"
 local values = require "values"
@@ -35,7 +38,7 @@ end
 
 local book = {
   job = job, labels = {}, references = {}, cited = {},
-  indexed = {}, sent = {},
+  indexed = {}, sent = {}, terms = 0, mentions = {},
   fragments = fragments.read(job.code),
   bibliography = keys_of(job.bibliography),
 }
@@ -125,25 +128,29 @@ local function read_chapter(path, chapter, exercise_list)
 end
 
 -- ---- the lists at the end ---------------------------------------------
-local function index_of_fragments()
-  local shown = {}
+-- For every file the pages that print some of it, in its own order.
+local function index_of_files()
+  local labels, paths = {}, {}
   for _, fragment in ipairs(book.fragments.list) do
-    if fragment.shown then table.insert(shown, fragment) end
-  end
-  table.sort(shown, function(a, b)
-    return a.title:lower() < b.title:lower()
-  end)
-  local lines, letter = { "\\fragmentindex" }, nil
-  for _, fragment in ipairs(shown) do
-    local first = fragment.title:sub(1, 1):lower()
-    if letter and first ~= letter then
-      table.insert(lines, "\\indexspace")
+    local path = fragment.file
+    if fragment.shown and not labels[path] then
+      labels[path] = {}
+      table.insert(paths, path)
     end
-    letter = first
-    table.insert(lines, ("\\fragmentindexline{frag:%d}{%s}"):format(
-      fragment.id, latex.text(fragment.title)))
+    if fragment.shown then
+      table.insert(labels[path], ("frag:%d"):format(fragment.id))
+    end
   end
-  table.insert(lines, "\\closefragmentindex")
+  table.sort(paths)
+  local lines, folder = { "\\fileindex" }, nil
+  for _, path in ipairs(paths) do
+    local this = path:match("^(.*)/")
+    if folder and this ~= folder then table.insert(lines, "\\indexspace") end
+    folder = this
+    table.insert(lines, ("\\fileindexline{%s}{%s}"):format(
+      latex.text(path:gsub("^code/", "")), table.concat(labels[path], ",")))
+  end
+  table.insert(lines, "\\closefileindex")
   return raw_block("%s", table.concat(lines, "\n"))
 end
 
@@ -157,7 +164,7 @@ local function assemble(meta)
   blocks:insert(raw_block("\\mainmatter"))
   local part
   for _, path in ipairs(job.chapters) do
-    local id = files.name(path):match("^ch%d%d")
+    local id = files.id(path)
     local number = tonumber(id:sub(3))
     local this = part_of(front.meta.parts, number)
     if this and (not part or part.number ~= this.number) then
@@ -175,16 +182,41 @@ local function assemble(meta)
     blocks:extend(read_chapter(path, { id = files.name(path) },
       exercise_list))
   end
+  blocks:extend(glossary.read(job))
   blocks:insert(raw_block("\\openbackmatter"))
   if #exercise_list > 0 then
     blocks:insert(raw_block(
       "\\begin{listofexercises}\n%s\n\\end{listofexercises}",
       table.concat(exercise_list, "\n")))
   end
-  blocks:insert(index_of_fragments())
+  blocks:insert(index_of_files())
   blocks:insert(raw_block("\\literature"))
   blocks:insert(pandoc.Div({}, { id = "refs" }))
   blocks:insert(raw_block("\\printindex"))
+  return blocks
+end
+
+-- A single chapter or appendix, for whoever writes it: what is elsewhere
+-- has its number, but no page.
+local function only(meta)
+  local front = pandoc.read(files.read(job.front), job.dialect)
+  for key, value in pairs(front.meta) do meta[key] = value end
+  meta.elsewhere = true
+  meta["suppress-bibliography"] = true
+  local blocks = pandoc.List()
+  for _, list in ipairs { job.chapters, job.appendices } do
+    for _, path in ipairs(list) do
+      if files.id(path) == job.only then
+        if list == job.appendices then
+          blocks:insert(raw_block("\\openappendices"))
+        end
+        blocks:extend(read_chapter(path, { id = job.only,
+          number = tonumber(job.only:match("^ch(%d%d)$")) }, {}))
+      end
+    end
+  end
+  blocks:insert(1, raw_block("\\mainmatter"))
+  blocks:insert(1, numbering.latex(numbering.of_book(job)))
   return blocks
 end
 
@@ -198,19 +230,42 @@ local function also_cited()
   return pandoc.MetaInlines { pandoc.Cite({ pandoc.Str("") }, citations) }
 end
 
+-- Chapters that front.md lists as "undeclared" are not yet held to it.
+local function check_declared(meta)
+  if job.sheet or job.manual then return end
+  local spared = {}
+  for _, id in ipairs(meta.undeclared or {}) do
+    spared[stringify(id)] = true
+  end
+  declared.check(job.chapters, book.fragments, spared, job.only)
+end
+
 function Pandoc(doc)
   if job.sheet then
     doc.blocks = sheet.assemble(job, doc.meta)
   elseif job.manual then
     doc.blocks = manual.assemble(job, doc.meta)
+  elseif job.only then
+    doc.blocks = only(doc.meta)
   else
     doc.blocks = assemble(doc.meta)
     fragments.check_shown(book.fragments)
+    for _, mention in ipairs(book.mentions) do
+      if not mention.fragment.shown then
+        faults.add(mention.path, mention.line,
+          'no chapter shows the fragment "%s", which is mentioned here',
+          mention.fragment.title)
+      end
+    end
   end
+  local measured = values.measured()
+  doc.meta.measured = measured and pandoc.MetaString(measured)
   doc.meta.nocite = also_cited()
   doc.meta.emblem = pandoc.MetaInlines { pandoc.RawInline("latex", emblem) }
-  doc.meta.figures = job.build .. "/figures/"
+  doc.meta.figures = pandoc.MetaInlines { pandoc.RawInline("latex",
+    ("{%s/figures/}{%s/drawings/}"):format(job.build, job.build)) }
   context.check_references()
+  check_declared(doc.meta)
   files.write(job.folder .. "/faults", faults.report())
   files.write(job.folder .. "/notes", faults.report_notes())
   return doc

@@ -115,9 +115,19 @@ function context.reference(label)
   return context.raw(text)
 end
 
--- The index has an entry of that name; another one sends there.
+-- The index has an entry of that name; another one sends there. The
+-- first place of an entry is where the glossary sends, unless it is in a
+-- title or a caption, which TeX sets more than once.
 function context.indexed(entry)
-  context.book.indexed[entry] = true
+  local indexed, place = context.book.indexed, ""
+  if not indexed[entry] and not context.in_title
+    and not context.caption then
+    context.book.terms = context.book.terms + 1
+    indexed[entry] = ("term:%d"):format(context.book.terms)
+    place = "\\termplace{" .. indexed[entry] .. "}"
+  end
+  indexed[entry] = indexed[entry] or false
+  return place
 end
 
 function context.see(entry, words)
@@ -135,8 +145,9 @@ function context.check_references()
         r.label)
     end
   end
+  if context.book.job.only then return end
   for _, s in ipairs(context.book.sent) do
-    if not context.book.indexed[s.entry] then
+    if context.book.indexed[s.entry] == nil then
       faults.add(s.path, s.line, 'the index has no entry "%s" to see',
         s.entry)
     end

@@ -39,6 +39,11 @@ function files.name(path)
   return (path:gsub("^.*/", ""):gsub("%.[^.]*$", ""))
 end
 
+-- What a chapter or an appendix is called: "ch04", "appendix-near".
+function files.id(path)
+  local name = files.name(path)
+  return name:match("^ch%d%d") or name
+end
 
 -- Whether a shell command succeeded; texlua's os.execute returns its
 -- status, other Luas' whether it is 0.

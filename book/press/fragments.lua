@@ -1,8 +1,11 @@
 -- The fragments of the C files. `//> Title` opens one, `//<` closes it;
 -- they nest; a title names one fragment in the whole book. A fragment
 -- holds lines and, in their places, the fragments nested in it. A line
--- belongs to the innermost fragment around it, and no line may be
--- outside of all of them.
+-- belongs to the innermost fragment around it. In the modules that the
+-- chapters teach no line may be outside of all of them, and each must
+-- be shown; what only uses them, experiments and the command line, has
+-- fragments where a chapter shows some of it, as has some of the
+-- workbench.
 local faults = require "faults"
 local files = require "files"
 
@@ -37,6 +40,18 @@ local function trim(fragment)
   local function blank(item) return item and item.text == "" end
   while blank(items[1]) do table.remove(items, 1) end
   while blank(items[#items]) do table.remove(items) end
+end
+
+-- Whether the book shows every line of this file: not what reads and
+-- reports, nor what only uses the modules.
+local function is_taught(path)
+  return not (path:match("/experiments/") or path:match("^code/near/")
+    or path:match("^code/peers/")
+    or path:match("^code/common/read_points%.")
+    or path:match("^code/common/lines%.")
+    or path:match("^code/common/fields%.")
+    or path:match("^code/common/report%.")
+    or path:match("^code/common/experiment%."))
 end
 
 local function read_file(path, found)
@@ -77,7 +92,7 @@ local function read_file(path, found)
           "this line would be %d columns wide, and the page has %d",
           width, COLUMNS)
       end
-    elseif line:match("%S") and not outside then
+    elseif line:match("%S") and not outside and is_taught(path) then
       outside = true
       faults.add(path, number, "this line is in no fragment")
     end
@@ -114,7 +129,10 @@ end
 -- Every fragment must have been shown by now.
 function fragments.check_shown(all)
   for _, fragment in ipairs(all.list) do
-    if not fragment.shown and all.by_title[fragment.title] == fragment then
+    local needed = is_taught(fragment.file)
+      or fragment.parent and fragment.parent.shown
+    if needed and not fragment.shown
+      and all.by_title[fragment.title] == fragment then
       faults.add(fragment.file, fragment.line,
         'no chapter shows the fragment "%s"', fragment.title)
     end

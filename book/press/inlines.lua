@@ -65,6 +65,21 @@ local function with_chapters_linked(list)
   return result
 end
 
+-- A sentence that would only say "the same machine" is left out, with
+-- what leads to it.
+local function without_same(list, i, result)
+  local following, space = list[i + 1], result[#result]
+  local before = result[#result - 1]
+  if not (following and following.t == "Str" and following.text:match("^%.")
+    and space and (space.t == "Space" or space.t == "SoftBreak")
+    and before and before.t == "Str" and before.text:match("[.;,:]$")) then
+    return false
+  end
+  result:remove()
+  before.text = before.text:gsub("[.;,:]$", "")
+  return true
+end
+
 local function woven(list)
   local result = pandoc.List()
   list = with_chapters_linked(list)
@@ -74,7 +89,10 @@ local function woven(list)
       result:insert(raw("~"))
     elseif handler then
       local new = handler(x, begins(list, i))
-      if new.t then result:insert(new) else result:extend(new) end
+      if new.t == "Str" and x.t == "Span" and x.classes[1] == "machine"
+        and without_same(list, i, result) then
+        -- the full stop that follows ends the sentence before
+      elseif new.t then result:insert(new) else result:extend(new) end
     elseif x.content then
       x.content = woven(x.content)
       result:insert(x)
@@ -244,6 +262,9 @@ function span.fragment(_, title)
     fault("[" .. title .. "]", 'no fragment is called "%s"', title)
     return pandoc.Str("?")
   end
+  local source = context.here.source
+  table.insert(context.book.mentions, { fragment = fragment,
+    path = source.path, line = source:find("[" .. title .. "]") })
   return raw(listing.mention(fragment))
 end
 
@@ -270,9 +291,15 @@ end
 
 function span.index(x, words, begins_sentence)
   local key, see = x.attributes.key, x.attributes.see
-  local entry
+  local entry, place = nil, ""
+  if see then
+    -- sends elsewhere, and is no place itself
+  elseif key then
+    place = context.indexed(key:match("^[^!]*"))
+  elseif words ~= "" then
+    place = context.indexed(begins_sentence and uncapitalized(words) or words)
+  end
   if key then
-    context.indexed(key:match("^[^!]*"))
     entry = in_its_place(latex.text(key:gsub('[@|"]', '"%0')))
   elseif words == "" then
     fault("{.index", "an index entry needs words or a key")
@@ -282,7 +309,6 @@ function span.index(x, words, begins_sentence)
       index_safe(latex.inline_code(words))
   else
     if begins_sentence then words = uncapitalized(words) end
-    context.indexed(words)
     entry = latex.text(index_safe(words))
   end
   if see then
@@ -290,38 +316,34 @@ function span.index(x, words, begins_sentence)
     entry = ("%s|see{%s}"):format(entry, latex.text(index_safe(see)))
   end
   local result = woven(x.content)
-  result:insert(raw("\\index{" .. entry .. "}"))
+  result:insert(raw(place .. "\\index{" .. entry .. "}"))
   return result
 end
 
 -- On what a table was measured: [ch02-speeds]{.machine}. The first
--- caption of a chapter says it in full, the next ones name the machine,
--- what else is different, and the first.
+-- caption of a chapter says it in full; another one only if it was
+-- another machine or compiler.
 function span.machine(_, name)
   local where, why = values.provenance(name)
   if not where then
     fault("[" .. name .. "]", "%s", why)
     return pandoc.List()
   end
-  local here, caption = context.here, context.caption
-  local first = here.measured
-  local function unbroken(part)
-    return "\\mbox{" .. latex.text(where[part]) .. "}"
+  local here = context.here
+  if context.caption and here.measured == where.setup then
+    return pandoc.Str("the same machine")
   end
+  if context.caption then here.measured = here.measured or where.setup end
   local parts = { latex.text(where.machine) }
-  if first and caption and first.setup == where.setup then
-    parts[1] = parts[1]:gsub(",.*", "")
-    if first.date ~= where.date then table.insert(parts, unbroken("date")) end
-    table.insert(parts, "as in " .. first.reference)
-  else
-    table.insert(parts, unbroken("compiler"))
-    table.insert(parts, "\\mbox{" .. latex.inline_code(where.flags) .. "}")
-    table.insert(parts, unbroken("date"))
+  for _, part in ipairs { "caches", "memory", "compiler" } do
+    if where[part] then
+      table.insert(parts, (latex.text(where[part]):gsub("[^,]+",
+        function(words) return "\\mbox{" .. words:gsub("^ ", "") .. "}" end)
+        :gsub(",", ", ")))
+    end
   end
-  if caption and not first then
-    here.measured = { setup = where.setup, date = where.date,
-      reference = context.crossref(caption) }
-  end
+  table.insert(parts, latex.inline_code(where.flags))
+  table.insert(parts, "\\mbox{" .. latex.text(where.date) .. "}")
   return raw(table.concat(parts, ", "))
 end
 

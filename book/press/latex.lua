@@ -44,11 +44,20 @@ function latex.code(s)
   return (s:gsub("[\\{}$&#%%_^~]", special):gsub(" ", "\\ "))
 end
 
--- Code within a sentence may break after these, never elsewhere.
+-- Code within a sentence stays whole if it is short; a longer piece may
+-- break after these, never elsewhere.
+local WHOLE = 20
+
 function latex.inline_code(s)
-  local text = latex.code(s):gsub("([/,.%(]%f[^/,.%(])", "%1\\allowbreak{}")
-  text = text:gsub("(\\_)(%w)", "%1\\allowbreak{}%2")
+  local text = latex.code(s)
+  if (utf8.len(s) or #s) <= WHOLE then
+    return "\\code{\\mbox{" .. text .. "}}"
+  end
+  text = text:gsub("([/,(]%f[^/,(])", "%1\\codebreak{}")
     :gsub("%-", "\\mbox{-}")
+  if not s:find("[/, (]") then
+    text = text:gsub("([%w)])(\\_)(%w)", "%1%2\\codebreak{}%3")
+  end
   return "\\code{" .. text:gsub("\\ ", " ") .. "}"
 end
 

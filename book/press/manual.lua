@@ -285,6 +285,7 @@ function manual.assemble(job, meta)
   local front = pandoc.read(files.read(job.manual.front), job.dialect)
   for key, value in pairs(front.meta) do meta[key] = value end
   meta.manual = true
+  meta.elsewhere = true
   local read = {}
   for i, path in ipairs(job.chapters) do
     local id = files.name(path):match("^ch%d%d")

@@ -58,6 +58,9 @@ function numbering.of_book(job)
     found("ch:" .. id, tostring(chapter.number))
     count(chapter, pandoc.read(files.read(path), job.dialect).blocks, found)
   end
+  for i, path in ipairs(job.appendices) do
+    found("ch:" .. files.name(path), string.char(64 + i))
+  end
   for id, paths in pairs(job.exercises) do
     for _, path in ipairs(paths) do
       local k, name = path:match("/(%d+)%-([%w-]+)/[^/]*$")

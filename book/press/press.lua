@@ -1,14 +1,16 @@
 -- The press: chapters, code, exercises and data in, the book out.
 --
 --   texlua book/press/press.lua [--solutions] [--check | --draft]
---                               [--root DIR] [--build DIR]
+--                               [--only NAME] [--root DIR] [--build DIR]
 --   texlua book/press/press.lua --sheet PDF TITLE DUE HOW EXERCISE.MD...
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
 -- of every chapter. Programs must have been built and figures drawn
 -- before. A fault is reported as "file:line: sentence"; then there is no
 -- book, and the exit status is 1. --check does everything but LaTeX;
--- --draft sets what there is, faults and all, as BUILD/draft.pdf.
+-- --draft sets what there is, faults and all, as BUILD/draft.pdf; with
+-- --only ch04, or an appendix, just that one, as BUILD/draft-ch04.pdf,
+-- in two runs of LaTeX: pages elsewhere are then printed as ??.
 -- --solutions makes the instructor's manual, BUILD/solutions.pdf, instead.
 -- --sheet prints chosen exercises as an assignment, which ends with the
 -- Markdown file HOW.
@@ -34,13 +36,16 @@ end
 
 -- ---- the command line -------------------------------------------------
 local root, build, mode, sheet = lfs.currentdir(), nil, nil, nil
-local manual = false
+local manual, only = false, nil
 local i = 1
 while arg[i] do
   if arg[i] == "--check" or arg[i] == "--draft" then
     mode = arg[i]
   elseif arg[i] == "--solutions" then
     manual = true
+  elseif arg[i] == "--only" and arg[i + 1] then
+    i = i + 1
+    only = arg[i]
   elseif arg[i] == "--root" and arg[i + 1] then
     i = i + 1
     root = absolute(arg[i])
@@ -87,8 +92,8 @@ local function make_folder(path)
   lfs.mkdir(path)
 end
 
-local folder = build ..
-  (sheet and "/sheet" or manual and "/solutions" or "/book")
+local folder = build .. (sheet and "/sheet" or manual and "/solutions"
+  or only and "/draft-" .. only or "/book")
 make_folder(folder)
 
 local job = {
@@ -100,7 +105,8 @@ local job = {
   data = below("book/data", "%.tsv$"),
   chapters = below("chapters", "^chapters/ch%d%d[^/]*%.md$"),
   appendices = below("chapters", "^chapters/appendix%-[^/]*%.md$"),
-  exercises = {}, headers = {}, sheet = sheet,
+  glossary = "book/glossary.md",
+  exercises = {}, headers = {}, sheet = sheet, only = only,
 }
 if manual then
   job.manual = { front = "book/manual/front.md",
@@ -121,6 +127,16 @@ end
 for _, path in ipairs { job.front, job.bibliography,
   job.manual and job.manual.front } do
   if not files.exists(path) then faults.add(path, 1, "this file is missing") end
+end
+if only then
+  local there = false
+  for _, list in ipairs { job.chapters, job.appendices } do
+    for _, path in ipairs(list) do
+      there = there or files.id(path) == only
+    end
+  end
+  if not there then usage("no chapter and no appendix is called " .. only) end
+  if mode ~= "--check" then mode = "--draft" end
 end
 if #job.chapters == 0 then faults.add("chapters", 1, "there is no chapter") end
 
@@ -169,7 +185,7 @@ end
 
 -- What pages.tsv says of a chapter, but for the pages.
 local function about(path)
-  local id = files.name(path):match("^ch%d%d")
+  local id = files.id(path)
   return { id = id, number = tonumber(id:sub(3)),
     title = files.read(path):match("^# *([^\n{]-) *[\n{]"):gsub("`", "") }
 end
@@ -179,7 +195,7 @@ weave()
 if mode == "--check" then os.exit(0) end
 files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
 local chapters = {}
-for _, path in ipairs((sheet or manual) and {} or job.chapters) do
+for _, path in ipairs((sheet or manual or only) and {} or job.chapters) do
   table.insert(chapters, about(path))
 end
 local sources = below("exercises", "/exercise%.md$")
@@ -188,8 +204,11 @@ for _, list in ipairs { job.code, job.chapters, job.appendices, job.data,
   { job.front, job.bibliography } } do
   table.move(list, 1, #list, #sources + 1, sources)
 end
-typeset.run(folder, chapters, sources)
+typeset.run(folder, chapters, sources, only and 2)
+local noted = faults.report_notes()
+if noted ~= "" then io.stderr:write(noted, "\n") end
 stop_at(faults.report())
-local pdf = sheet and sheet.pdf or build .. (mode == "--draft" and "/draft.pdf"
+local pdf = sheet and sheet.pdf or build .. (only and "/draft-" .. only
+  .. ".pdf" or mode == "--draft" and "/draft.pdf"
   or manual and "/solutions.pdf" or "/near-and-far.pdf")
 if not os.rename(folder .. "/book.pdf", pdf) then os.exit(1) end

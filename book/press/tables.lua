@@ -9,13 +9,26 @@ local tables = {}
 local WIDTH = 77   -- characters of small type on a line of the page
 local GAP = 3      -- characters between two columns
 local WORDS = 18   -- a column this wide can be broken
+local LEFT = 24    -- and needs so many characters on a line
 
 local raw = context.raw
+
+-- What LaTeX makes of its own: code, a reference, a unit. Code is wider.
+local function visible(raw_text)
+  local label = raw_text:match("^\\crossref{(%a+)}")
+  if label then return label .. " 1.1" end
+  local text = raw_text:gsub("\\index%b{}", ""):gsub("\\termplace%b{}", "")
+    :gsub("\\_", "_"):gsub("\\%a+", ""):gsub("[{}\\]", "")
+  return raw_text:find("\\code") and text .. ("m"):rep(#text // 5) or text
+end
 
 -- A cell as one run of inlines, with what it will look like.
 local function flatten(cell)
   local inlines = pandoc.utils.blocks_to_inlines(cell.contents)
-  return { inlines = inlines, text = pandoc.utils.stringify(inlines) }
+  local shown = pandoc.walk_block(pandoc.Plain(inlines), {
+    RawInline = function(x) return pandoc.Str(visible(x.text)) end })
+  return { inlines = inlines,
+    text = pandoc.utils.stringify(shown.content) }
 end
 
 local function width(text)
@@ -104,14 +117,23 @@ local function fit(columns)
     if column.head_width > column.width then break_head(column) end
   end
   if total(columns) <= WIDTH then return false end
-  local broken = false
-  for _, column in ipairs(columns) do
-    if column.letter ~= "r" and column.width > WORDS then
+  -- The widest first, until what is left for them is wide enough.
+  local order, broken = table.move(columns, 1, #columns, 1, {}), 0
+  table.sort(order, function(a, b) return a.width > b.width end)
+  for _, column in ipairs(order) do
+    local room = WIDTH - total(columns)
+    for _, other in ipairs(columns) do
+      if other.letter == "Y" then
+        room = room + math.max(other.width, other.head_width)
+      end
+    end
+    if column.letter ~= "r" and column.width > WORDS
+      and (broken == 0 or room < LEFT * broken) then
       column.letter = "Y"
-      broken = true
+      broken = broken + 1
     end
   end
-  return broken
+  return broken > 0
 end
 
 -- The table as one Plain block of raw LaTeX and the cells' inlines.

@@ -37,6 +37,26 @@ local function write_pages(folder, chapters)
   files.write(folder .. "/pages.tsv", table.concat(lines, "\n") .. "\n")
 end
 
+-- Notes the pages of the chapters that are not two thirds full, but for
+-- a chapter's last.
+local FULL = 66
+
+local function note_holes(folder, text)
+  local within = {}
+  for _, line in ipairs(files.lines(folder .. "/pages.tsv")) do
+    local first, last = line:match("\t(%d+)\t(%d+)$")
+    for page = tonumber(first or 1), tonumber(last or 1) - 1 do
+      within[page] = true
+    end
+  end
+  for page, share in text:gmatch("\n@@page (%d+) (%d+)") do
+    if within[tonumber(page)] and tonumber(share) < FULL then
+      faults.note("page " .. page, 1, "only %d%% of this page is full",
+        tonumber(share))
+    end
+  end
+end
+
 -- The first place among the sources where the words stand.
 local function locate(words, sources)
   for _, path in ipairs(sources) do
@@ -47,17 +67,18 @@ local function locate(words, sources)
 end
 
 -- Makes book.pdf and pages.tsv of book.tex, and collects the faults. If
--- LaTeX gives up there is neither, whatever an earlier run left.
-function typeset.run(folder, chapters, sources)
+-- LaTeX gives up there is neither, whatever an earlier run left. A draft
+-- has a limit of runs, no index, and pages that need not settle.
+function typeset.run(folder, chapters, sources, limit)
   for _, name in ipairs { "typeset.out", "book.log", "book.pdf" } do
     os.remove(folder .. "/" .. name)
   end
   local before, good
-  for _ = 1, MOST_RUNS do
+  for _ = 1, limit or MOST_RUNS do
     before = state(folder)
     good = run(folder,
       "lualatex -interaction=nonstopmode -halt-on-error book.tex")
-    if good and files.exists(folder .. "/book.idx") then
+    if good and not limit and files.exists(folder .. "/book.idx") then
       good = run(folder, "makeindex -q -s index.ist book.idx")
     end
     if not good or state(folder) == before then break end
@@ -80,13 +101,14 @@ function typeset.run(folder, chapters, sources)
   end
   if good then
     write_pages(folder, chapters)
+    note_holes(folder, text)
   else
     os.remove(folder .. "/book.pdf")
   end
   if #faults.list > 0 then return end
   if not good then
     faults.add("book.tex", 1, "LaTeX gave up: see %s/typeset.out", folder)
-  elseif state(folder) ~= before then
+  elseif state(folder) ~= before and not limit then
     faults.add("book.tex", 1, "the pages do not settle in %d runs of LaTeX",
       MOST_RUNS)
   end

@@ -259,6 +259,16 @@ local function long_date(text)
   return ("%d %s %s"):format(day, months[tonumber(month)] or month, year)
 end
 
+-- The day of the latest measurement, or nil.
+function values.measured()
+  local latest = ""
+  for _, this in pairs(tables) do
+    latest = (this.head.date or "") > latest and this.head.date
+      or latest
+  end
+  return latest ~= "" and long_date(latest) or nil
+end
+
 -- Machine, compiler, flags and date of a table, as captions say it, and
 -- `setup`, all of its head but the date; or nil and why not.
 function values.provenance(name)
@@ -282,6 +292,7 @@ function values.provenance(name)
     compiler = head.compiler:gsub("^(%a+ %d+%.%d+)%S*.*$", "%1"),
     flags = table.concat(flags, " "),
     date = long_date(head.date),
+    caches = head.caches, memory = head.memory,
     setup = table.concat({ head.machine, head.compiler, head.flags }, "\n"),
   }
 end

@@ -1,12 +1,14 @@
 -- Turns what pandoc has read of one file into what LaTeX will set:
 -- follows the blocks in their order through the text, replaces what is
 -- ours (CONTRIBUTING.md, "The prose"), and finds the faults.
+local alternative = require "alternative"
 local capture = require "capture"
 local context = require "context"
 local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
 local inlines = require "inlines"
+local latex = require "latex"
 local listing = require "listing"
 local tables = require "tables"
 local words_of = require "words"
@@ -85,10 +87,13 @@ local function figure(image, caption, identifier)
   if not name:match("^[%w-]+$") then
     fault(words, 'a figure is named like its script, without folder and '
       .. 'ending, not "%s"', name)
-  elseif not files.exists(("%s/figures/%s.pdf"):format(build, name)) then
-    fault(words, "there is no figure %s.pdf in %s/figures", name, build)
+  elseif not files.exists(("%s/figures/%s.pdf"):format(build, name))
+    and not files.exists(("%s/drawings/%s.pdf"):format(build, name)) then
+    fault(words, "there is no figure %s.pdf in %s/figures or %s/drawings", name,
+      build, build)
   else
-    plot = "\\plot{" .. name .. "}"
+    plot = ("\\plot{%s}{%s}"):format(name,
+      latex.text(alternative.of(name)))
   end
   if #caption == 0 then fault(words, "this figure needs a caption") end
   context.caption = identifier ~= "" and identifier or nil

@@ -1,5 +1,7 @@
 //> Begin with the coursework's program
-// See first.h.
+// The coursework's search, which calls the distance through a pointer
+// for every pair and takes both results from an array, and four
+// distances to be passed to it.
 #include "ch02-all-pairs/first.h"
 
 //> Let a pointer point at them
@@ -47,7 +49,7 @@ void first_search(const struct question *question,
     for (uint32_t i = begin; i < end; i++) {
         uint32_t nearest = i == 0, furthest = i == 0;
         double nearest2 = INFINITY, furthest2 = 0;
-        //> Ask everyone through the pointer
+        //> Call through the pointer for every candidate
         for (uint32_t j = 0; j < p.n; j++) {
             if (j == i)
                 continue;
@@ -71,7 +73,9 @@ void first_search(const struct question *question,
         //<
     }
 }
+//<
 
+//> Pass the distance of the geometry
 void first_rows(const struct question *question,
                 struct answers *answers, uint32_t begin, uint32_t end)
 {

@@ -5,9 +5,11 @@
 #pragma once
 #include "ch02-all-pairs/pair.h"
 
+//> Declare a distance that is passed
 // Squared distances of a pair whose coordinates differ by dx, dy.
 typedef void measure_function(const struct space *space, double dx,
                               double dy, double result[2]);
+//<
 
 measure_function measure_standard, measure_wraparound;
 measure_function measure_pow;    // standard, with pow(dx, 2.0)

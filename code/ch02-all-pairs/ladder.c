@@ -1,11 +1,14 @@
 //> Climb from the first version to the last
-// See ladder.h. The first step is first.c, the last two are tiles.c.
+// The middle steps of the ladder, each one change away from the step
+// before: the distance in sight, no test for the point itself,
+// distances before indices, eight candidates at once. All go through
+// all pairs. The first step is first.c, the last two are tiles.c.
 #include "ch02-all-pairs/ladder.h"
 #include "ch02-all-pairs/first.h"
 #include "ch02-all-pairs/tile.h"
 #include "ch02-all-pairs/tiles.h"
 
-//> Keep the best of what was found
+//> Keep the best so far
 struct found {
     double near2, far2;
     uint32_t nearest, furthest;
@@ -35,9 +38,9 @@ static inline void write_down(const struct found *found,
 //<
 
 //> Let the compiler see the distance
-INLINED void meet(const enum geometry geometry,
-                  const struct question *question, uint32_t i,
-                  uint32_t j, struct found *found)
+INLINED void compare(const enum geometry geometry,
+                     const struct question *question, uint32_t i,
+                     uint32_t j, struct found *found)
 {
     const struct points p = question->points;
     double dx = p.x[j] - p.x[i], dy = p.y[j] - p.y[i], result[2];
@@ -59,7 +62,7 @@ INLINED void inlined(const enum geometry geometry,
         struct found found = {INFINITY, 0, i == 0, i == 0};
         for (uint32_t j = 0; j < question->points.n; j++)
             if (j != i)
-                meet(geometry, question, i, j, &found);
+                compare(geometry, question, i, j, &found);
         write_down(&found, answers, i);
     }
 }
@@ -75,11 +78,11 @@ INLINED void split(const enum geometry geometry,
 {
     for (uint32_t i = begin; i < end; i++) {
         struct found found = {INFINITY, 0, i == 0, i == 0};
-        //> Meet those before and those after
+        //> Compare with those before and those after
         for (uint32_t j = 0; j < i; j++)
-            meet(geometry, question, i, j, &found);
+            compare(geometry, question, i, j, &found);
         for (uint32_t j = i + 1; j < question->points.n; j++)
-            meet(geometry, question, i, j, &found);
+            compare(geometry, question, i, j, &found);
         //<
         write_down(&found, answers, i);
     }
@@ -115,11 +118,12 @@ INLINED void blocks(const enum geometry geometry,
         struct pair best = {INFINITY, 0};
         uint64_t near_block = 0, far_block = 0;
         for (uint64_t block = 0; block < n; block += BLOCK) {
-            uint64_t stop = lesser(n, block + BLOCK);
+            uint64_t stop = min_index(n, block + BLOCK);
             //> Sweep a block and see whether it did better
             struct pair before = best;
-            sweep(geometry, question, i, block, lesser(stop, i), &best);
-            sweep(geometry, question, i, greater(block, i + 1), stop,
+            sweep(geometry, question, i, block, min_index(stop, i),
+                  &best);
+            sweep(geometry, question, i, max_index(block, i + 1), stop,
                   &best);
             if (best.near2 < before.near2)
                 near_block = block;
@@ -127,8 +131,9 @@ INLINED void blocks(const enum geometry geometry,
                 far_block = block;
             //<
         }
-        tile_answer(geometry, question, answers, i, best.near2,
-                    near_block, best.far2, far_block);
+        tile_answer(geometry, question, answers, i,
+                    (struct winner){best.near2, best.far2, near_block,
+                                    far_block});
     }
 }
 
@@ -144,7 +149,7 @@ INLINED void lane_sweep(const enum geometry geometry,
     const struct space space = question->space;
     struct tile t = *tile;
     uint64_t j = begin;
-    //> Meet eight candidates at once
+    //> Compare with eight candidates at once
     for (; j + LANES <= end; j += LANES) {
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
@@ -186,12 +191,12 @@ INLINED void lanes(const enum geometry geometry,
             tile.y[lane] = p.y[i];
         }
         for (uint64_t block = 0; block < p.n; block += BLOCK) {
-            uint64_t stop = lesser(p.n, block + BLOCK);
+            uint64_t stop = min_index(p.n, block + BLOCK);
             struct tile before = tile;
-            lane_sweep(geometry, question, block, lesser(stop, i),
+            lane_sweep(geometry, question, block, min_index(stop, i),
                        &tile);
-            lane_sweep(geometry, question, greater(block, i + 1), stop,
-                       &tile);
+            lane_sweep(geometry, question, max_index(block, i + 1),
+                       stop, &tile);
             tile_note(&before, &tile, block, &found);
         }
         //> Find the best of the lanes
@@ -207,8 +212,9 @@ INLINED void lanes(const enum geometry geometry,
                 far = lane;
         }
         //<
-        tile_answer(geometry, question, answers, i, tile.near2[near],
-                    found.near[near], tile.far2[far], found.far[far]);
+        tile_answer(geometry, question, answers, i,
+                    (struct winner){tile.near2[near], tile.far2[far],
+                                    found.near[near], found.far[far]});
     }
 }
 
@@ -222,7 +228,7 @@ const struct step steps[] = {
     {"split", split_rows},     // no test for the point itself
     {"blocks", blocks_rows},   // distances first, indices later
     {"lanes", lanes_rows},     // eight candidates at once
-    {"queries", queries_rows}, // eight points ask at once
+    {"queries", queries_rows}, // eight queries at once
     {"tiles", tiles_rows},     // the multipliers subtract
 };
 

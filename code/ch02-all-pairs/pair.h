@@ -4,15 +4,14 @@
 // geometry.h: rounding keeps order, so that the smaller of two squares
 // is the square of the smaller.
 #pragma once
+#include "common/inlined.h"
 #include "common/question.h"
 
-// Makes a copy of a function at each of its calls. What is constant
-// there is constant in the copy.
-#define INLINED static inline __attribute__((always_inline))
-
+//> Hold both distances of a pair
 struct pair {
     double near2, far2; // squared, to the closest, furthest image
 };
+//<
 
 //> Measure both images at once
 INLINED struct pair pair2(const enum geometry geometry,

@@ -1,33 +1,43 @@
-//> Hold eight searches side by side
-// LANES searches, so that one vector instruction serves several, and
-// the search by blocks that they share. A sweep over the candidates
-// keeps distances only, and notes the block of candidates where each
-// was found; a second look at that one block finds the index. The rule:
-// whenever a distance is computed, it must be the same to the last bit,
-// so compile with -ffp-contract=off.
+//> Hold eight queries side by side
+// A tile: LANES queries in lanes of their own, so that one vector
+// instruction serves them all, and the search by blocks. A sweep over
+// the candidates keeps distances only and notes the block in which each
+// best was found; a second look at that one block finds the index. The
+// rule: whenever a distance is computed, it must be the same to the
+// last bit, so compile with -ffp-contract=off.
 #pragma once
 #include "ch02-all-pairs/pair.h"
-#include "common/count.h"
 #include <assert.h>
 #include <stdbool.h>
 
+//> Keep eight queries and their bests
 enum { LANES = 8, BLOCK = 256 };
 
 struct tile {
-    double x[LANES], y[LANES];        // who asks
+    double x[LANES], y[LANES];        // the queries
     double near2[LANES], far2[LANES]; // the best so far
+    uint64_t distances;               // computed so far
 };
 
-struct blocks {
-    uint64_t near[LANES], far[LANES]; // the first point of each
+struct blocks { // first candidate of the block with the best so far
+    uint64_t near[LANES], far[LANES];
 };
+//<
 
-static inline uint64_t lesser(uint64_t a, uint64_t b)
+//> Hold the bests of one query and their blocks
+// The bests of one query, and the blocks they are in.
+struct winner {
+    double near2, far2;
+    uint64_t near_block, far_block;
+};
+//<
+
+static inline uint64_t min_index(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
 
-static inline uint64_t greater(uint64_t a, uint64_t b)
+static inline uint64_t max_index(uint64_t a, uint64_t b)
 {
     return a > b ? a : b;
 }
@@ -40,6 +50,7 @@ static inline void tile_begin(struct tile *tile, struct blocks *blocks)
         tile->far2[lane] = 0;
         blocks->near[lane] = blocks->far[lane] = 0;
     }
+    tile->distances = 0;
 }
 //<
 
@@ -60,7 +71,7 @@ static inline void tile_note(const struct tile *before,
 //<
 
 //> Look again for the index
-INLINED uint64_t look_again(const enum geometry geometry,
+INLINED uint64_t find_index(const enum geometry geometry,
                             const struct question *question, uint32_t i,
                             uint64_t j, bool far, double distance2)
 {
@@ -76,21 +87,21 @@ INLINED uint64_t look_again(const enum geometry geometry,
 //<
 
 //> Answer from distances and blocks
-INLINED void tile_answer(const enum geometry geometry,
-                         const struct question *question,
-                         struct answers *answers, uint32_t i,
-                         double near2, uint64_t near_block, double far2,
-                         uint64_t far_block)
+// Returns how many distances were computed once more.
+INLINED uint64_t tile_answer(const enum geometry geometry,
+                             const struct question *question,
+                             struct answers *answers, uint32_t i,
+                             struct winner best)
 {
-    uint64_t j =
-        look_again(geometry, question, i, near_block, false, near2);
-    uint64_t k =
-        look_again(geometry, question, i, far_block, true, far2);
+    uint64_t j = find_index(geometry, question, i, best.near_block,
+                            false, best.near2);
+    uint64_t k = find_index(geometry, question, i, best.far_block, true,
+                            best.far2);
     answers->nearest[i] = (uint32_t)j;
-    answers->nearest2[i] = near2;
+    answers->nearest2[i] = best.near2;
     answers->furthest[i] = (uint32_t)k;
-    answers->furthest2[i] = far2;
-    COUNT(distances, j - near_block + 1 + k - far_block + 1);
+    answers->furthest2[i] = best.far2;
+    return j - best.near_block + 1 + k - best.far_block + 1;
 }
 //<
 //<

@@ -1,12 +1,15 @@
-//> Search with eight points at a time
-// See tiles.h.
+//> Search with eight queries at a time
+// A tile of eight queries stays in vector registers while every
+// candidate is copied into all lanes and compared with each. Around the
+// tile itself a plain loop with a test takes over. `fused` has the
+// multipliers subtract; bitwise the same.
 #include "ch02-all-pairs/tiles.h"
 #include "ch02-all-pairs/difference.h"
 #include "ch02-all-pairs/tile.h"
 #include <assert.h>
 
 //> Sweep with a tile
-INLINED void sweep(const enum geometry geometry, const bool hand_over,
+INLINED void sweep(const enum geometry geometry, const bool fused,
                    const struct question *question, uint64_t begin,
                    uint64_t end, struct tile *tile)
 {
@@ -16,14 +19,14 @@ INLINED void sweep(const enum geometry geometry, const bool hand_over,
     const struct space space = question->space;
     const double one = unit;
     struct tile t = *tile; // a copy, so that it may live in registers
-    //> Show a candidate to eight points at once
+    //> Compare a candidate with eight queries
     for (uint64_t j = begin; j < end; j++) {
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
-            double dx = hand_over ? difference(x[j], t.x[lane], one)
-                                  : x[j] - t.x[lane];
-            double dy = hand_over ? difference(y[j], t.y[lane], one)
-                                  : y[j] - t.y[lane];
+            double dx = fused ? difference(x[j], t.x[lane], one)
+                              : x[j] - t.x[lane];
+            double dy = fused ? difference(y[j], t.y[lane], one)
+                              : y[j] - t.y[lane];
             struct pair pair = pair2(geometry, space, dx, dy);
             t.near2[lane] =
                 pair.near2 < t.near2[lane] ? pair.near2 : t.near2[lane];
@@ -32,15 +35,15 @@ INLINED void sweep(const enum geometry geometry, const bool hand_over,
         }
     }
     //<
+    t.distances += (end - begin) * LANES;
     *tile = t;
-    COUNT(distances, (end - begin) * LANES);
 }
 //<
 
-//> Let the points of a tile meet each other
-INLINED void meet(const enum geometry geometry,
-                  const struct question *question, uint32_t i,
-                  int width, struct tile *tile)
+//> Compare the points of a tile with each other
+INLINED void compare_within(const enum geometry geometry,
+                            const struct question *question, uint32_t i,
+                            int width, struct tile *tile)
 {
     const struct points p = question->points;
     for (int lane = 0; lane < width; lane++)
@@ -55,42 +58,50 @@ INLINED void meet(const enum geometry geometry,
             if (pair.far2 > tile->far2[lane])
                 tile->far2[lane] = pair.far2;
         }
-    COUNT(distances, width * (width - 1));
+    tile->distances += width * (width - 1);
 }
 //<
 
 //> Answer for one tile
-INLINED void search(const enum geometry geometry, const bool hand_over,
+struct rows { // at most LANES queries, and the size of a block
+    uint32_t begin, end, block;
+};
+
+INLINED void search(const enum geometry geometry, const bool fused,
                     const struct question *question,
-                    struct answers *answers, uint32_t i, uint32_t end,
-                    uint32_t size)
+                    struct answers *answers, const struct rows rows)
 {
     const struct points p = question->points;
-    const int width = lesser(LANES, end - i);
+    const uint32_t i = rows.begin, size = rows.block;
+    const int width = min_index(LANES, rows.end - i);
     struct tile tile;
     struct blocks found;
     tile_begin(&tile, &found);
-    for (int lane = 0; lane < LANES; lane++) { // spare ones ask twice
-        tile.x[lane] = p.x[i + lesser(lane, width - 1)];
-        tile.y[lane] = p.y[i + lesser(lane, width - 1)];
+    // spare lanes repeat the last query
+    for (int lane = 0; lane < LANES; lane++) {
+        tile.x[lane] = p.x[i + min_index(lane, width - 1)];
+        tile.y[lane] = p.y[i + min_index(lane, width - 1)];
     }
     for (uint64_t block = 0; block < p.n; block += size) {
-        uint64_t stop = lesser(p.n, block + size);
+        uint64_t stop = min_index(p.n, block + size);
         //> Sweep a block around the tile
         struct tile before = tile;
-        sweep(geometry, hand_over, question, block, lesser(stop, i),
+        sweep(geometry, fused, question, block, min_index(stop, i),
               &tile);
         if (block <= i && i < stop)
-            meet(geometry, question, i, width, &tile);
-        sweep(geometry, hand_over, question, greater(block, i + width),
+            compare_within(geometry, question, i, width, &tile);
+        sweep(geometry, fused, question, max_index(block, i + width),
               stop, &tile);
         tile_note(&before, &tile, block, &found);
         //<
     }
     for (int lane = 0; lane < width; lane++)
-        tile_answer(geometry, question, answers, i + lane,
-                    tile.near2[lane], found.near[lane], tile.far2[lane],
-                    found.far[lane]);
+        tile.distances += tile_answer(
+            geometry, question, answers, i + lane,
+            (struct winner){tile.near2[lane], tile.far2[lane],
+                            found.near[lane], found.far[lane]});
+    counts_add(question->counts,
+               &(struct counts){.distances = tile.distances});
 }
 //<
 
@@ -102,7 +113,8 @@ INLINED void queries(const enum geometry geometry,
 {
     assert(begin % LANES == 0 && "a tile must lie in one block");
     for (uint64_t i = begin; i < end; i += LANES)
-        search(geometry, false, question, answers, i, end, BLOCK);
+        search(geometry, false, question, answers,
+               (struct rows){i, end, BLOCK});
 }
 
 SPECIALIZE(queries)
@@ -115,9 +127,11 @@ void tiles_blocked_rows(const struct question *question,
     assert(begin % LANES == 0 && block % LANES == 0);
     for (uint64_t i = begin; i < end; i += LANES)
         if (question->space.geometry == STANDARD)
-            search(STANDARD, true, question, answers, i, end, block);
+            search(STANDARD, true, question, answers,
+                   (struct rows){i, end, block});
         else
-            search(WRAPAROUND, true, question, answers, i, end, block);
+            search(WRAPAROUND, true, question, answers,
+                   (struct rows){i, end, block});
 }
 
 void tiles_rows(const struct question *question,
@@ -134,7 +148,8 @@ void tiles(const struct question *question, struct answers *answers)
 #pragma omp parallel for num_threads(question->threads) schedule(static)
     for (uint32_t tile = 0; tile < count; tile++) {
         uint64_t begin = (uint64_t)tile * LANES;
-        tiles_rows(question, answers, begin, lesser(n, begin + LANES));
+        tiles_rows(question, answers, begin,
+                   min_index(n, begin + LANES));
     }
 }
 //<

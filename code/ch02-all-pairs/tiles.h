@@ -1,9 +1,10 @@
 //> Declare the tiles
-// All pairs, as fast as one core will in plain C: eight points ask at
-// a time, each in a vector lane of its own; every candidate is loaded
-// once for all of them. n (n-1) distances, at most 512 n more to find
-// the indices, and less than 8 n for the spare lanes of a last tile
-// that is not full; no memory of its own; threads share out the tiles.
+// All pairs, as fast as one core will in plain C: eight queries at a
+// time, each in a vector lane of its own; every candidate is loaded
+// once for all of them (register tiling, as in a matrix product). n
+// (n-1) distances, at most 512 n more to find the indices, and less
+// than 8 n for the spare lanes of a last tile that is not full; no
+// memory of its own; threads share out the tiles.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 

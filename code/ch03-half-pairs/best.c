@@ -1,5 +1,8 @@
 //> Begin with the worst
-// See best.h.
+// The worst keys a search can begin with. A squared distance is less
+// than or equal to infinity, and minus a squared distance is at most
+// -0.0, so that the first candidate always replaces them: where keys
+// tie, any index is lower than none.
 #include "ch03-half-pairs/best.h"
 #include "common/fail.h"
 #include <stdlib.h>

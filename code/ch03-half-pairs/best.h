@@ -1,8 +1,10 @@
 //> Keep a best that threads share
 // A candidate is a key and an index; the smaller key is the better
 // one, and of equal keys the lower index, so that the outcome does not
-// depend on who comes first. The rule: outside a guard a key is only
-// read, and atomically; an index is not even read.
+// depend on which thread comes first. The rule: outside a guard a key
+// is only read, and atomically; an index is not even read. A key is
+// never NAN. Double checks: Schmidt and Harrison, 1997; the repair by
+// atomic reads: Boehm and Adve, 2008.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include <math.h>
@@ -22,7 +24,8 @@ struct bests {
 };
 //<
 
-// All keys at their worst, without an index. Ended by bests_free.
+// All keys at their worst, without an index: two arrays of n. Ends the
+// program if memory is short. Released by bests_free.
 struct bests bests_begin(uint32_t n);
 void bests_free(struct bests *bests);
 
@@ -54,8 +57,8 @@ INLINED void offer_critical(struct best *best, double key,
 //<
 
 //> Take the key away while its index changes
-// NAN in the key's place means that somebody is at work there. No
-// comparison with NAN is true, so that nobody turns away: all wait.
+// NAN in the key's place means that a thread is at work there. No
+// comparison with NAN is true, so that no thread turns away: all wait.
 INLINED void offer_atomic(struct best *best, double key, uint32_t index)
 {
     double held =

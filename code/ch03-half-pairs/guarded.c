@@ -1,10 +1,11 @@
 //> Guard what threads share
-// See guarded.h. The loop is written once; what differs is how a
-// distance is offered.
+// The triangular loop on several threads that share one set of bests:
+// n (n-1) / 2 distances and four offers for each. The loop is written
+// once; what differs is how a distance is offered. It is copied for
+// each kind of offer, so that none is called through a pointer.
 #include "ch03-half-pairs/guarded.h"
 #include "ch02-all-pairs/pair.h"
 #include "ch03-half-pairs/best.h"
-#include "common/count.h"
 
 typedef void offer_function(struct best *best, double key,
                             uint32_t index);
@@ -26,7 +27,8 @@ INLINED void share_rows(const enum geometry geometry,
             offer(&bests.far[i], -pair.far2, j);
             offer(&bests.far[j], -pair.far2, i);
         }
-        COUNT(distances, p.n - 1 - i);
+        counts_add(question->counts,
+                   &(struct counts){.distances = p.n - 1 - i});
     }
 }
 //<

@@ -2,7 +2,7 @@
 // The triangular loop on threads that share one set of bests: three
 // ways to keep them from losing updates. Each measures n (n-1) / 2
 // distances, needs 32 bytes a point, and gives ties to the lowest
-// index, whoever comes first.
+// index, whichever thread comes first.
 #pragma once
 #include "common/question.h"
 
@@ -10,8 +10,8 @@
 void triangle_queue(const struct question *question,
                     struct answers *answers);
 
-// Look first, and queue only with something to change: the
-// coursework's double check, its race repaired.
+// Look first, and queue only with something to change: a double check
+// whose first look is an atomic read.
 void triangle_critical(const struct question *question,
                        struct answers *answers);
 

@@ -1,14 +1,15 @@
 //> Give every thread its own answers
 // Each thread walks down its rows as if it were alone, in answers that
-// nobody else sees. When all are done the points, not the rows, are
-// shared out, and each point's best is chosen among the threads'.
+// no other thread sees. When all are done the points, not the rows, are
+// shared out, and each point's best is chosen among the threads'. With
+// T threads n T bests are merged: little beside n (n-1) / 2 distances.
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
 #include "common/fail.h"
 #include <stdlib.h>
 
 //> Merge one thread's answer for a point
-// Of equal distances the lower index wins, whoever found it.
+// Of equal distances the lower index wins, whichever thread has it.
 static void merge(struct answers *answers, const struct answers *from,
                   uint32_t i)
 {
@@ -35,25 +36,28 @@ void triangle_private(const struct question *question,
                       int chunk)
 {
     uint32_t n = question->points.n;
-    struct answers *own = allocate(question->threads, sizeof *own);
+    struct answers *private =
+        allocate(question->threads, sizeof *private);
     omp_set_schedule(schedule, chunk);
 #pragma omp parallel num_threads(question->threads)
     {
-        struct answers *mine = &own[omp_get_thread_num()];
+        struct answers *mine = &private[omp_get_thread_num()];
         *mine =
             omp_get_thread_num() == 0 ? *answers : answers_allocate(n);
         triangle_begin(mine, n);
 #pragma omp for schedule(monotonic : runtime)
         for (uint32_t i = 0; i < n; i++)
             triangle_row(question, mine, i);
+            //> Merge what the threads have found
 #pragma omp for
         for (uint32_t i = 0; i < n; i++)
             for (int t = 1; t < omp_get_num_threads(); t++)
-                merge(answers, &own[t], i);
-        if (mine != own)
+                merge(answers, &private[t], i);
+        //<
+        if (mine != private)
             answers_free(mine);
     }
-    free(own);
+    free(private);
 }
 //<
 

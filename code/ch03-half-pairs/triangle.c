@@ -1,8 +1,9 @@
 //> Measure every distance once
-// See triangle.h.
+// Row i compares point i with the points after it, so that each pair is
+// measured in one row only. A distance is offered to both ends: half of
+// the distances, and twice as many bests to load and store for each.
 #include "ch03-half-pairs/triangle.h"
 #include "ch02-all-pairs/pair.h"
-#include "common/count.h"
 
 //> Begin with the worst possible neighbors
 void triangle_begin(struct answers *answers, uint32_t n)
@@ -42,7 +43,8 @@ INLINED void row(const enum geometry geometry,
         offer(answers, i, j, pair);
         offer(answers, j, i, pair);
     }
-    COUNT(distances, p.n - 1 - i);
+    counts_add(question->counts,
+               &(struct counts){.distances = p.n - 1 - i});
 }
 //<
 

@@ -1,7 +1,7 @@
 //> Declare the triangular loop
 // Nearest and furthest neighbors from half the pairs: every distance
 // is measured once and offered to both of its ends. Ties go to the
-// lowest index.
+// lowest index. Distances are squared.
 #pragma once
 #include "common/question.h"
 
@@ -11,7 +11,7 @@ void triangle_begin(struct answers *answers, uint32_t n);
 
 // Measures point i against the points after it and improves the
 // answers of both ends. Rows must come by ascending i, though some may
-// be missing.
+// be missing: of equal distances the one that came first is kept.
 void triangle_row(const struct question *question,
                   struct answers *answers, uint32_t i);
 

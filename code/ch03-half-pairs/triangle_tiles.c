@@ -1,13 +1,14 @@
 //> Walk down the triangle in tiles
-// See triangle_tiles.h. The columns of a tile, coordinates and bests so
-// far, stay in the first cache. As in chapter 2, the bests learn only
-// the block of a neighbor, and a second look finds the point.
+// The triangle is cut into tiles: a block of rows against a block of
+// columns. The columns, coordinates and bests so far, stay in the first
+// cache while the rows pass over them, several columns at a time. As in
+// chapter 2, the bests learn only the block of a neighbor, and a second
+// look finds the point.
 #include "ch03-half-pairs/triangle_tiles.h"
 #include "ch02-all-pairs/difference.h"
 #include "ch02-all-pairs/pair.h"
 #include "ch02-all-pairs/tile.h"
 #include "ch03-half-pairs/best.h"
-#include "common/count.h"
 #include <stdbool.h>
 
 //> Fix the sizes of a tile
@@ -33,8 +34,8 @@ INLINED double higher(double a, double b)
 //<
 
 //> Load the columns of a tile
-// Beyond the last point stands NAN, which is neither nearer nor
-// further than anything.
+// Beyond the last point stands NAN: no distance to it is smaller or
+// greater than another.
 static void load(struct columns *columns, struct points points,
                  uint64_t left)
 {
@@ -49,14 +50,15 @@ static void load(struct columns *columns, struct points points,
 //<
 
 //> Measure a row of the tile
-// Returns the best of the row; those of the columns are improved. Each
-// lane keeps a best of its own, so that no step waits for the last.
+// Returns the best of the row at (x, y); those of the columns are
+// improved. Each lane has a best of its own, so that no step waits for
+// the last.
 INLINED struct pair measure(const enum geometry geometry,
                             struct space space, double x, double y,
-                            const double *xs, const double *ys,
-                            double *restrict near2,
-                            double *restrict far2)
+                            struct columns *columns)
 {
+    double *restrict near2 = columns->near2;
+    double *restrict far2 = columns->far2;
     const double one = unit;
     double low[LANES], high[LANES];
     for (int lane = 0; lane < LANES; lane++) {
@@ -66,8 +68,8 @@ INLINED struct pair measure(const enum geometry geometry,
     for (int k = 0; k < SIDE; k += LANES)
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
-            double dx = difference(xs[k + lane], x, one);
-            double dy = difference(ys[k + lane], y, one);
+            double dx = difference(columns->x[k + lane], x, one);
+            double dy = difference(columns->y[k + lane], y, one);
             struct pair pair = pair2(geometry, space, dx, dy);
             //> Improve both ends without a branch
             low[lane] = lower(pair.near2, low[lane]);
@@ -88,30 +90,36 @@ INLINED struct pair measure(const enum geometry geometry,
 //<
 
 //> Measure a tile
-INLINED void tile(const enum geometry geometry,
-                  const struct question *question, struct bests bests,
-                  uint64_t top, uint64_t left)
+// Returns how many pairs it has.
+INLINED uint64_t tile(const enum geometry geometry,
+                      const struct question *question,
+                      struct bests bests, uint64_t top, uint64_t left)
 {
     const struct points p = question->points;
     struct columns columns;
     load(&columns, p, left);
     const uint64_t right = left + SIDE < p.n ? left + SIDE : p.n;
+    uint64_t pairs = 0;
+    //> Pass the rows over the columns
     for (uint64_t i = top; i < top + SIDE && i < p.n; i++) {
-        if (top == left) // a row meets only the points after it
+        if (top == left) // compare only with the points after i
             columns.x[i - top] = NAN;
-        struct pair best =
-            measure(geometry, question->space, p.x[i], p.y[i],
-                    columns.x, columns.y, columns.near2, columns.far2);
+        struct pair best = measure(geometry, question->space, p.x[i],
+                                   p.y[i], &columns);
         offer_atomic(&bests.near[i], best.near2, left / SIDE);
         offer_atomic(&bests.far[i], -best.far2, left / SIDE);
-        COUNT(distances, right - (top == left ? i + 1 : left));
+        pairs += right - (top == left ? i + 1 : left);
     }
+    //<
+    //> Offer the bests of the columns
     for (uint64_t j = left; j < right; j++) {
         offer_atomic(&bests.near[j], columns.near2[j - left],
                      top / SIDE);
         offer_atomic(&bests.far[j], -columns.far2[j - left],
                      top / SIDE);
     }
+    //<
+    return pairs;
 }
 //<
 
@@ -121,17 +129,21 @@ INLINED void share(const enum geometry geometry,
                    struct answers *answers)
 {
     const uint32_t n = question->points.n;
+    struct counts mine = {0};
 #pragma omp for schedule(dynamic, 1)
     for (uint64_t top = 0; top < n; top += SIDE) {
         for (uint64_t left = top; left < n; left += SIDE)
-            tile(geometry, question, bests, top, left);
+            mine.distances +=
+                tile(geometry, question, bests, top, left);
     }
 #pragma omp for
     for (uint32_t i = 0; i < n; i++)
-        tile_answer(geometry, question, answers, i, bests.near[i].key,
-                    bests.near[i].index * (uint64_t)SIDE,
-                    -bests.far[i].key,
-                    bests.far[i].index * (uint64_t)SIDE);
+        mine.distances += tile_answer(
+            geometry, question, answers, i,
+            (struct winner){bests.near[i].key, -bests.far[i].key,
+                            bests.near[i].index * (uint64_t)SIDE,
+                            bests.far[i].index * (uint64_t)SIDE});
+    counts_add(question->counts, &mine);
 }
 //<
 

@@ -1,20 +1,20 @@
 //> Sort the points by cell
-// See cells.h. Su's figure 2: count the points of every cell, sum the
-// counts to the place where each cell begins, put every point in the
-// next free place of its cell.
+// Count the points of every cell, sum the counts to the place where
+// each cell begins, put every point in the next free place of its cell
+// (Su, figure 2). n + m steps, and 4 n more bytes while it sorts.
 #include "ch04-cell-sort/cells.h"
-#include "common/fail.h"
+#include "common/allocate.h"
 #include <stdlib.h>
 #include <string.h>
 
 //> Count the points of every cell
-// Writes every point's cell to home[0 .. n-1] and adds to count.
+// Writes every point's cell to cell[0 .. n-1] and adds to count.
 static void histogram(const struct grid *grid, struct points points,
-                      uint32_t *home, uint32_t *count)
+                      uint32_t *cell, uint32_t *count)
 {
     for (uint32_t i = 0; i < points.n; i++) {
-        home[i] = grid_cell(grid, points.x[i], points.y[i]);
-        count[home[i]]++;
+        cell[i] = grid_cell(grid, points.x[i], points.y[i]);
+        count[cell[i]]++;
     }
 }
 //<
@@ -31,29 +31,29 @@ void cells_scan(uint32_t *count, uint32_t m, uint32_t first)
 //<
 
 //> Put every point into its place
-static void place(const uint32_t *home, uint32_t n, uint32_t *next,
+static void place(const uint32_t *cell, uint32_t n, uint32_t *next,
                   uint32_t *point)
 {
     for (uint32_t i = 0; i < n; i++)
-        point[next[home[i]]++] = i;
+        point[next[cell[i]]++] = i;
 }
 //<
 
 //> Count, scan, place
-// The array of starts serves first as the counts, one place further on:
-// placing advances every start to its cell's end, where the next cell
-// begins.
+// next, the starts shifted by one, is first the counts, then where each
+// cell begins. Placing advances it to where each cell ends, which is
+// where the next begins: the starts.
 struct cells cells_sort(const struct grid *grid, struct points points)
 {
     uint32_t m = grid_cells(grid);
     struct cells cells = cells_allocate(m, points.n);
-    uint32_t *home = allocate(points.n, sizeof *home);
-    uint32_t *count = cells.start + 1;
+    uint32_t *cell = allocate(points.n, sizeof *cell);
+    uint32_t *next = cells.start + 1; // the start of the next cell
     memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
-    histogram(grid, points, home, count);
-    cells_scan(count, m, 0);
-    place(home, points.n, count, cells.point);
-    free(home);
+    histogram(grid, points, cell, next);
+    cells_scan(next, m, 0);
+    place(cell, points.n, next, cells.point);
+    free(cell);
     return cells;
 }
 //<

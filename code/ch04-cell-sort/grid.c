@@ -1,7 +1,9 @@
 //> Cut the plane into cells
-// See grid.h.
+// Fit a grid to the box of the points, and find to the last bit where
+// each of its cells begins. O(n) for the box, a few steps a border.
 #include "ch04-cell-sort/grid.h"
-#include "common/fail.h"
+#include "common/allocate.h"
+#include "common/workspace.h"
 #include <assert.h>
 #include <float.h>
 #include <stdbool.h>
@@ -31,14 +33,14 @@ static double begin_of(const struct axis *axis, double high, uint32_t k)
 //<
 
 //> Cut an axis
-struct axis axis_cut(double low, double high, double period,
-                     uint32_t count)
+// Border has room for count + 1.
+static struct axis cut(double low, double high, double period,
+                       uint32_t count, double *border)
 {
     double width = isfinite(period) ? period : high - low;
-    struct axis axis = {count, low, count / width, NULL, period};
+    struct axis axis = {count, low, count / width, border, period};
     if (!(isfinite(width) && isfinite(axis.scale)))
-        axis = (struct axis){1, 0, 0, NULL, period}; // any x * 0 is 0
-    axis.border = allocate((size_t)axis.count + 1, sizeof(double));
+        axis = (struct axis){1, 0, 0, border, period}; // any x * 0 is 0
     axis.border[0] = low;
     for (uint32_t k = 1; k < axis.count; k++)
         axis.border[k] = begin_of(&axis, high, k);
@@ -46,6 +48,13 @@ struct axis axis_cut(double low, double high, double period,
     return axis;
 }
 //<
+
+struct axis axis_cut(double low, double high, double period,
+                     uint32_t count)
+{
+    return cut(low, high, period, count,
+               allocate((size_t)count + 1, sizeof(double)));
+}
 
 void axis_free(struct axis *axis)
 {
@@ -61,27 +70,29 @@ enum { LANES = 16 };
 static void extent(const double *values, uint32_t n, int threads,
                    double *low, double *high)
 {
-    double least[LANES], most[LANES];
+    double lowest[LANES], highest[LANES];
     for (int k = 0; k < LANES; k++)
-        least[k] = most[k] = values[0];
+        lowest[k] = highest[k] = values[0];
     const uint32_t whole = n - n % LANES;
-#pragma omp parallel for num_threads(threads) \
-    reduction(min : least) reduction(max : most)
+#pragma omp parallel for num_threads(threads) reduction(min       \
+                                                        : lowest) \
+    reduction(max                                                 \
+              : highest)
     for (uint32_t i = 0; i < whole; i += LANES)
         for (int k = 0; k < LANES; k++) {
             double value = values[i + k];
-            least[k] = value < least[k] ? value : least[k];
-            most[k] = value > most[k] ? value : most[k];
+            lowest[k] = value < lowest[k] ? value : lowest[k];
+            highest[k] = value > highest[k] ? value : highest[k];
         }
     for (uint32_t i = whole; i < n; i++) {
-        least[0] = values[i] < least[0] ? values[i] : least[0];
-        most[0] = values[i] > most[0] ? values[i] : most[0];
+        lowest[0] = fmin(lowest[0], values[i]);
+        highest[0] = fmax(highest[0], values[i]);
     }
-    *low = least[0];
-    *high = most[0];
+    *low = lowest[0];
+    *high = highest[0];
     for (int k = 1; k < LANES; k++) {
-        *low = fmin(*low, least[k]);
-        *high = fmax(*high, most[k]);
+        *low = fmin(*low, lowest[k]);
+        *high = fmax(*high, highest[k]);
     }
 }
 //<
@@ -98,8 +109,17 @@ static uint32_t columns_of(double width, double height, double cells)
 }
 //<
 
+static double *borders_for(struct workspace *workspace, uint32_t count)
+{
+    const size_t borders = (size_t)count + 1;
+    return workspace
+               ? workspace_take(workspace, borders, sizeof(double))
+               : allocate(borders, sizeof(double));
+}
+
 //> Fit a grid to the points
-struct grid grid_fit(const struct question *question, double c)
+struct grid grid_fit_in(struct workspace *workspace,
+                        const struct question *question, double c)
 {
     assert(c > 0 && "cells hold some points");
     const struct points p = question->points;
@@ -113,11 +133,17 @@ struct grid grid_fit(const struct question *question, double c)
     double cells = cells_for(p.n, c);
     uint32_t columns = columns_of(width, height, cells);
     uint32_t rows = fmax(1, floor(cells / columns));
-    return (struct grid){
-        axis_cut(left, right, wraps ? width : INFINITY, columns),
-        axis_cut(bottom, top, wraps ? height : INFINITY, rows)};
+    return (struct grid){cut(left, right, wraps ? width : INFINITY,
+                             columns, borders_for(workspace, columns)),
+                         cut(bottom, top, wraps ? height : INFINITY,
+                             rows, borders_for(workspace, rows))};
 }
 //<
+
+struct grid grid_fit(const struct question *question, double c)
+{
+    return grid_fit_in(NULL, question, c);
+}
 
 void grid_free(struct grid *grid)
 {

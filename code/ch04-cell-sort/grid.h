@@ -4,11 +4,12 @@
 // cells; a grid is two axes. Rounding decides, in the last bit, on
 // which side of a border a point falls, so the grid says exactly where
 // its cells begin: cell k holds the x with border[k] <= x <
-// border[k+1], the last one also border[count]. Those who search may
-// then compare with borders, and never err.
+// border[k+1], the last one also border[count]. A search that compares
+// with borders then never errs.
 #pragma once
 #include "common/question.h"
 
+//> Declare an axis
 struct axis {
     uint32_t count; // of cells, >= 1
     double low;     // x is in cell (x - low) * scale,
@@ -16,10 +17,13 @@ struct axis {
     double *border; // border[0 .. count]
     double period;  // after which all repeats; INFINITY: nothing does
 };
+//<
 
+//> Make a grid of two axes
 struct grid {
     struct axis x, y; // columns, rows
 };
+//<
 
 //> Find the cell on an axis
 // For coordinates of the points that the axis was made for. Through a
@@ -65,5 +69,10 @@ void axis_free(struct axis *axis);
 // and never more than n / c + 1, so that a cell holds c points on
 // average; c > 0. Released with grid_free.
 struct grid grid_fit(const struct question *question, double c);
+
+// The same with its borders in a workspace, and not to be freed.
+struct workspace;
+struct grid grid_fit_in(struct workspace *workspace,
+                        const struct question *question, double c);
 void grid_free(struct grid *grid);
 //<

@@ -1,7 +1,8 @@
 //> Search a line
-// See line.h.
+// All numbers: n steps. Sorted: log n and one for each result. Bins:
+// one for each bin and each number that the interval meets.
 #include "ch04-cell-sort/line.h"
-#include "common/fail.h"
+#include "common/allocate.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,7 +20,7 @@ uint32_t scan_between(const double *x, uint32_t n, double a, double b,
 //<
 
 //> Sort, and search by halves
-static int compare(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -27,9 +28,10 @@ static int compare(const void *a, const void *b)
 
 void sort_numbers(double *x, uint32_t n)
 {
-    qsort(x, n, sizeof *x, compare);
+    qsort(x, n, sizeof *x, compare_numbers);
 }
 
+//> Halve until one place is left
 // The first place whose number is not below a; n if there is none.
 static uint32_t place_of(const double *x, uint32_t n, double a)
 {
@@ -43,6 +45,7 @@ static uint32_t place_of(const double *x, uint32_t n, double a)
     }
     return low;
 }
+//<
 
 uint32_t sorted_between(const double *x, uint32_t n, double a, double b,
                         double *found)
@@ -68,17 +71,21 @@ struct bins bins_make(const double *x, uint32_t n, double c)
     bins.start = allocate((size_t)m + 1, sizeof *bins.start);
     bins.x = allocate(n, sizeof *bins.x);
 
-    //> Count, scan and place the numbers
     uint32_t *next = bins.start + 1; // the start of the next bin
     memset(bins.start, 0, ((size_t)m + 1) * sizeof *bins.start);
+    //> Count the numbers of every bin
     for (uint32_t i = 0; i < n; i++)
         next[axis_cell(&bins.axis, x[i])]++;
+    //<
+    //> Scan the counts of the bins
     uint32_t sum = 0;
     for (uint32_t k = 0; k < m; k++) {
         uint32_t count = next[k];
         next[k] = sum;
         sum += count;
     }
+    //<
+    //> Place the numbers in their bins
     for (uint32_t i = 0; i < n; i++)
         bins.x[next[axis_cell(&bins.axis, x[i])]++] = x[i];
     //<
@@ -94,7 +101,7 @@ void bins_free(struct bins *bins)
     *bins = (struct bins){0};
 }
 
-//> Ask the bins
+//> Query the bins
 uint32_t bins_between(const struct bins *bins, double a, double b,
                       double *found)
 {

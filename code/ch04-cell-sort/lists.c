@@ -1,7 +1,8 @@
 //> Keep a list for every cell
-// See lists.h.
+// Each point is put before the list of its cell. n + m steps; a list
+// runs from the highest index to the lowest.
 #include "ch04-cell-sort/lists.h"
-#include "common/fail.h"
+#include "common/allocate.h"
 #include <stdlib.h>
 
 //> Put every point before its list
@@ -11,7 +12,7 @@ struct lists lists_make(const struct grid *grid, struct points points)
     struct lists lists = {allocate(m, sizeof(uint32_t)),
                           allocate(points.n, sizeof(uint32_t))};
     for (uint32_t cell = 0; cell < m; cell++)
-        lists.head[cell] = NOBODY;
+        lists.head[cell] = NO_INDEX;
     for (uint32_t i = 0; i < points.n; i++) {
         uint32_t cell = grid_cell(grid, points.x[i], points.y[i]);
         lists.next[i] = lists.head[cell];

@@ -1,5 +1,6 @@
 //> Keep the points sorted by cell
-// See sorted.h.
+// Fit a grid, sort the indices by cell, copy the points in this order:
+// a search then reads memory from left to right. 16 n more bytes.
 #include "ch04-cell-sort/sorted.h"
 
 //> Copy the points in order

@@ -1,15 +1,17 @@
 //> Declare the sorted points
-// The points of a question sorted by cell: the grid, who is in which of
-// its cells, and the points themselves in this order. With it a search
-// has all that it needs.
+// The points of a question sorted by cell: the grid, the indices of the
+// points of each cell, and the points themselves in this order. With it
+// a search has all that it needs.
 #pragma once
 #include "ch04-cell-sort/cells.h"
 
+//> Hold the points in order of the cells
 struct sorted {
     struct grid grid;
     struct cells cells;
     struct points points; // in the order of the cells
 };
+//<
 
 // A way to sort points into the cells of a grid, with so many threads.
 typedef struct cells cell_sort(const struct grid *grid,

@@ -1,8 +1,12 @@
 //> Sort with counts for all threads
-// See shared.h.
+// Either all threads increment the same counts, atomically; or each has
+// counts of its own for a chunk of the points, and a scan over cells
+// and chunks tells each where its points go. The second keeps the order
+// of the points and costs m counts a thread.
 #include "ch05-collisions/shared.h"
-#include "ch05-collisions/home.h"
-#include "common/fail.h"
+#include "ch05-collisions/cell_ids.h"
+#include "common/allocate.h"
+#include "common/chunk.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,18 +16,18 @@ struct cells cells_sort_atomic(const struct grid *grid,
 {
     const uint32_t n = points.n, m = grid_cells(grid);
     struct cells cells = cells_allocate(m, n);
-    uint32_t *home = allocate(n, sizeof *home);
+    uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *count = cells.start + 1;
     memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
 #pragma omp parallel for num_threads(threads)
     for (int k = 0; k < threads; k++) {
-        uint32_t i = share_begin(n, k, threads);
-        uint32_t end = share_begin(n, k + 1, threads);
-        find_homes(grid, points, i, end, home);
+        uint32_t i = chunk_begin(n, k, threads);
+        uint32_t end = chunk_begin(n, k + 1, threads);
+        find_cell_ids(grid, points, i, end, cell_id);
         //> Count one point at a time
         for (; i < end; i++) {
 #pragma omp atomic
-            count[home[i]]++;
+            count[cell_id[i]]++;
         }
         //<
     }
@@ -33,43 +37,44 @@ struct cells cells_sort_atomic(const struct grid *grid,
     for (uint32_t i = 0; i < n; i++) {
         uint32_t place;
 #pragma omp atomic capture
-        place = count[home[i]]++;
+        place = count[cell_id[i]]++;
         cells.point[place] = i;
     }
     //<
-    free(home);
+    free(cell_id);
     return cells;
 }
 //<
 
-//> Count the points of every band
-void count_shares(const struct grid *grid, struct points points,
-                  int shares, int shift, uint32_t m, uint32_t *home,
-                  uint32_t *count)
+//> Count in chunks
+// Count[k * m + cell] is how many of chunk k's points are in a cell.
+static void count_chunks(const struct grid *grid, struct points points,
+                         int chunks, uint32_t *cell_id, uint32_t *count)
 {
-#pragma omp parallel for num_threads(shares)
-    for (int k = 0; k < shares; k++) {
+    const uint32_t m = grid_cells(grid);
+#pragma omp parallel for num_threads(chunks)
+    for (int k = 0; k < chunks; k++) {
         uint32_t *mine = count + (size_t)k * m;
-        uint32_t i = share_begin(points.n, k, shares);
-        uint32_t end = share_begin(points.n, k + 1, shares);
+        uint32_t i = chunk_begin(points.n, k, chunks);
+        uint32_t end = chunk_begin(points.n, k + 1, chunks);
         memset(mine, 0, m * sizeof *mine);
-        find_homes(grid, points, i, end, home);
+        find_cell_ids(grid, points, i, end, cell_id);
         for (; i < end; i++)
-            mine[home[i] >> shift]++;
+            mine[cell_id[i]]++;
     }
 }
 //<
 
 //> Scan over cells and threads
-// All of a cell's points before those of the next cell, and of these
-// the first thread's before the next one's.
-void scan_shares(uint32_t *count, uint32_t m, int shares,
+// All of a cell's points before those of the next cell, and in a cell
+// the first chunk's before the second's.
+void scan_chunks(uint32_t *count, uint32_t m, int chunks,
                  uint32_t *start)
 {
     uint32_t sum = 0;
     for (uint32_t cell = 0; cell < m; cell++) {
         start[cell] = sum;
-        for (int k = 0; k < shares; k++) {
+        for (int k = 0; k < chunks; k++) {
             uint32_t *mine = &count[(size_t)k * m + cell];
             uint32_t here = *mine;
             *mine = sum;
@@ -86,20 +91,20 @@ struct cells cells_sort_private(const struct grid *grid,
 {
     const uint32_t n = points.n, m = grid_cells(grid);
     struct cells cells = cells_allocate(m, n);
-    uint32_t *home = allocate(n, sizeof *home);
+    uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *count = allocate((size_t)threads * m, sizeof *count);
-    count_shares(grid, points, threads, 0, m, home, count);
-    scan_shares(count, m, threads, cells.start);
+    count_chunks(grid, points, threads, cell_id, count);
+    scan_chunks(count, m, threads, cells.start);
 #pragma omp parallel for num_threads(threads)
     for (int k = 0; k < threads; k++) {
         uint32_t *next = count + (size_t)k * m;
-        uint32_t i = share_begin(n, k, threads);
-        uint32_t end = share_begin(n, k + 1, threads);
+        uint32_t i = chunk_begin(n, k, threads);
+        uint32_t end = chunk_begin(n, k + 1, threads);
         for (; i < end; i++)
-            cells.point[next[home[i]]++] = i;
+            cells.point[next[cell_id[i]]++] = i;
     }
     free(count);
-    free(home);
+    free(cell_id);
     return cells;
 }
 //<

@@ -5,9 +5,9 @@
 #pragma once
 #include "ch04-cell-sort/cells.h"
 
-// One count a cell for everybody. Inside a cell the points stand in
-// the order in which the threads came: not cells_sort's, and not the
-// same in every run.
+// One count a cell, shared by all threads. Inside a cell the points
+// stand in the order in which the threads took places: not
+// cells_sort's, and not the same in every run.
 struct cells cells_sort_atomic(const struct grid *grid,
                                struct points points, int threads);
 
@@ -16,16 +16,11 @@ struct cells cells_sort_atomic(const struct grid *grid,
 struct cells cells_sort_private(const struct grid *grid,
                                 struct points points, int threads);
 
-// Counts by shares of the points, one for each thread, in m bands of
-// 1 << shift cells. Writes every point's cell to home[0 .. n-1], and to
-// count[k * m + b] how many of share k's points are in band b.
-void count_shares(const struct grid *grid, struct points points,
-                  int shares, int shift, uint32_t m, uint32_t *home,
-                  uint32_t *count);
-
-// Turns these counts into the place of the first of them, all bands in
-// order, and in a band all shares in order. start[0 .. m] is where the
-// bands begin.
-void scan_shares(uint32_t *count, uint32_t m, int shares,
+// Turns counts into places: count[k * m + b] is how many of chunk k's
+// points are in bucket b, of m, and becomes the place of the first of
+// them, all buckets in order, and in a bucket all chunks in order.
+// start[0 .. m] is where the buckets begin. A bucket is a cell, or
+// many.
+void scan_chunks(uint32_t *count, uint32_t m, int chunks,
                  uint32_t *start);
 //<

@@ -1,6 +1,8 @@
 //> Write the primitives in AVX2
-// See avx2.h. Whole vectors while there are any, then the rest as the
-// portable functions do it.
+// Whole vectors, eight 32-bit numbers or four doubles at a time, as
+// long as they last; then the portable functions do the rest. A scan
+// takes three steps a vector (Kogge and Stone 1973), a pack one
+// permutation, which is computed by packing the lanes' numbers.
 #include "ch06-pack-scan/avx2.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch06-pack-scan/portable.h"

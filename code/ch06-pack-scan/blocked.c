@@ -1,7 +1,10 @@
 //> Scan and pack over threads
-// See blocked.h.
+// In every round each thread has one block. First all sum up their own
+// block, then one thread scans the sums, then all do the work, each
+// from its own sum: 2n steps instead of n, shared among the threads.
 #include "ch06-pack-scan/blocked.h"
-#include "common/fail.h"
+#include "common/allocate.h"
+#include "common/chunk.h"
 #include <assert.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -24,44 +27,75 @@ static uint32_t ones(const uint8_t *keep, uint32_t n)
 }
 //<
 
-//> Find a thread's block in this round
+//> Declare what a team of threads shares
+struct team {
+    const struct primitives *p;
+    int threads;
+    uint32_t *sums;  // of each thread's block; then, what is before it
+    uint32_t before; // the sum of everything before this round
+};
+//<
+
+//> Find a thread's block in a round
+// Round by round, n numbers are cut into a block for each thread.
 struct piece {
     uint32_t begin, n;
 };
 
-static struct piece piece_of(uint64_t round, uint32_t block, int thread,
-                             uint32_t n)
+static struct piece piece_of(uint32_t n, int thread, int threads)
 {
-    uint64_t begin = round + (uint64_t)block * thread;
-    begin = begin < n ? begin : n;
-    uint64_t left = n - begin;
-    return (struct piece){begin, left < block ? left : block};
+    uint32_t begin = chunk_begin(n, thread, threads);
+    uint32_t end = chunk_begin(n, thread + 1, threads);
+    return (struct piece){begin, end - begin};
 }
 //<
 
-//> Scan every block twice
+//> Find out what is before each block
+// Every thread of the team calls it with the sum of its own block, and
+// gets the sum of everything before that block.
+static uint32_t sum_before(struct team *team, uint32_t mine)
+{
+    int me = omp_get_thread_num();
+    team->sums[me] = mine;
+#pragma omp barrier
+#pragma omp single
+    team->before = team->p->scan(team->sums, team->sums, team->threads,
+                                 team->before);
+    return team->sums[me];
+}
+//<
+
+//> Scan in two passes
+// Every thread of the team calls it.
+static void scan_round(struct team *team, uint32_t *to,
+                       const uint32_t *from, uint32_t n)
+{
+    struct piece my = piece_of(n, omp_get_thread_num(), team->threads);
+    uint32_t mine = sum_of(from + my.begin, my.n);
+    uint32_t before = sum_before(team, mine);
+    team->p->scan(to + my.begin, from + my.begin, my.n, before);
+}
+//<
+
+//> Scan in rounds
 uint32_t scan_blocked(const struct primitives *p, uint32_t *to,
                       const uint32_t *from, uint32_t n, uint32_t sum,
                       uint32_t block, int threads)
 {
     assert(block >= 1 && "rounds go on");
     uint32_t *sums = allocate(threads, sizeof *sums);
+    struct team team = {p, threads, sums, sum};
 #pragma omp parallel num_threads(threads)
     {
-        int me = omp_get_thread_num(), team = omp_get_num_threads();
-        uint64_t all = (uint64_t)block * team;
-        for (uint64_t round = 0; round < n; round += all) {
-            struct piece piece = piece_of(round, block, me, n);
-            sums[me] = sum_of(from + piece.begin, piece.n);
-#pragma omp barrier
 #pragma omp single
-            sum = p->scan(sums, sums, team, sum);
-            p->scan(to + piece.begin, from + piece.begin, piece.n,
-                    sums[me]);
-        }
+        team.threads = omp_get_num_threads(); // it may be fewer
+        uint64_t all = (uint64_t)block * team.threads;
+        for (uint64_t i = 0; i < n; i += all)
+            scan_round(&team, to + i, from + i,
+                       n - i < all ? n - i : all);
     }
     free(sums);
-    return sum;
+    return team.before;
 }
 //<
 
@@ -83,28 +117,37 @@ static void pack_piece(const struct primitives *p, uint32_t *to,
 //<
 
 //> Count every block, then pack it
+static void pack_round(struct team *team, uint32_t *to,
+                       const uint32_t *from, const uint8_t *keep,
+                       uint32_t n)
+{
+    struct piece my = piece_of(n, omp_get_thread_num(), team->threads);
+    uint32_t mine = ones(keep + my.begin, my.n);
+    uint32_t before = sum_before(team, mine);
+    pack_piece(team->p, to + before, from + my.begin, keep + my.begin,
+               my.n);
+}
+//<
+
+//> Pack in rounds
 uint32_t pack_blocked(const struct primitives *p, uint32_t *to,
                       const uint32_t *from, const uint8_t *keep,
                       uint32_t n, uint32_t block, int threads)
 {
     assert(block >= 1 && "rounds go on");
-    uint32_t *places = allocate(threads, sizeof *places), kept = 0;
+    uint32_t *places = allocate(threads, sizeof *places);
+    struct team team = {p, threads, places, 0};
 #pragma omp parallel num_threads(threads)
     {
-        int me = omp_get_thread_num(), team = omp_get_num_threads();
-        uint64_t all = (uint64_t)block * team;
-        for (uint64_t round = 0; round < n; round += all) {
-            struct piece piece = piece_of(round, block, me, n);
-            places[me] = ones(keep + piece.begin, piece.n);
-#pragma omp barrier
 #pragma omp single
-            kept = p->scan(places, places, team, kept);
-            pack_piece(p, to + places[me], from + piece.begin,
-                       keep + piece.begin, piece.n);
-        }
+        team.threads = omp_get_num_threads(); // it may be fewer
+        uint64_t all = (uint64_t)block * team.threads;
+        for (uint64_t i = 0; i < n; i += all)
+            pack_round(&team, to, from + i, keep + i,
+                       n - i < all ? n - i : all);
     }
     free(places);
-    return kept;
+    return team.before;
 }
 //<
 //<

@@ -2,13 +2,13 @@
 // Both go over the array in rounds of one block for each thread, and
 // over every block twice: once to learn what stands before the others,
 // once to do the work. A block that fits into a cache is read from
-// memory only once (Chatterjee, Blelloch and Zagha 1990). The result is
+// memory only once (Chatterjee, Blelloch and Zagha 1990). Results are
 // the same for any number of threads.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 
-// As in primitives.h, with blocks of that many numbers; block >= 1,
-// threads >= 1.
+// As p->scan, with blocks of at most that many numbers; block >= 1,
+// threads >= 1. to may be from.
 uint32_t scan_blocked(const struct primitives *p, uint32_t *to,
                       const uint32_t *from, uint32_t n, uint32_t sum,
                       uint32_t block, int threads);

@@ -1,5 +1,7 @@
 //> Take steps until all have escaped
-// See escape.h.
+// One vector for all points, one lane for each. A step is elementwise
+// and takes all lanes, useful or not; a packing keeps the lanes whose
+// points have not escaped, for one pack and a gather for each array.
 #include "ch06-pack-scan/escape.h"
 #include "common/fail.h"
 #include <stdlib.h>
@@ -19,21 +21,21 @@ struct points picture(uint32_t width, uint32_t height)
 //<
 
 //> Make room for lanes
-struct lanes lanes_allocate(uint32_t most)
+struct lanes lanes_allocate(uint32_t max)
 {
     struct lanes lanes = {
         .n = 0,
-        .point = allocate(most, sizeof(uint32_t)),
-        .cx = allocate(most, sizeof(double)),
-        .cy = allocate(most, sizeof(double)),
-        .x = allocate(most, sizeof(double)),
-        .y = allocate(most, sizeof(double)),
-        .age = allocate(most, sizeof(double)),
-        .inside = allocate(most, sizeof(uint8_t)),
-        .number = allocate(most, sizeof(uint32_t)),
-        .kept = allocate(most, sizeof(uint32_t)),
+        .point = allocate(max, sizeof(uint32_t)),
+        .cx = allocate(max, sizeof(double)),
+        .cy = allocate(max, sizeof(double)),
+        .x = allocate(max, sizeof(double)),
+        .y = allocate(max, sizeof(double)),
+        .age = allocate(max, sizeof(double)),
+        .inside = allocate(max, sizeof(uint8_t)),
+        .number = allocate(max, sizeof(uint32_t)),
+        .kept = allocate(max, sizeof(uint32_t)),
     };
-    for (uint32_t i = 0; i < most; i++)
+    for (uint32_t i = 0; i < max; i++)
         lanes.number[i] = i;
     return lanes;
 }
@@ -82,16 +84,24 @@ static void step(struct lanes *lanes)
 }
 //<
 
-//> Pack the lanes
-static void pack_lanes(const struct primitives *p, struct lanes *l)
+//> Mark the lanes that go on
+static void mark(struct lanes *lanes)
 {
-    const double *x = l->x, *y = l->y;
-    uint8_t *inside = l->inside;
-    const uint32_t n = l->n;
+    const double *x = lanes->x, *y = lanes->y;
+    uint8_t *inside = lanes->inside;
+    const uint32_t n = lanes->n;
 #pragma omp simd
     for (uint32_t i = 0; i < n; i++)
         inside[i] = x[i] * x[i] + y[i] * y[i] <= 16;
-    l->n = p->pack(l->kept, l->number, inside, n);
+}
+//<
+
+//> Pack the lanes
+// All gathers are in place: kept[i] >= i.
+static void pack_lanes(const struct primitives *p, struct lanes *l)
+{
+    mark(l);
+    l->n = p->pack(l->kept, l->number, l->inside, l->n);
     p->gather32(l->point, l->point, l->kept, l->n);
     p->gather(l->cx, l->cx, l->kept, l->n);
     p->gather(l->cy, l->cy, l->kept, l->n);

@@ -7,21 +7,23 @@
 #include "ch06-pack-scan/primitives.h"
 #include "common/points.h"
 
+//> Declare the lanes
 struct lanes {
     uint32_t n;                    // how many
-    uint32_t *point;               // whose lane it is
+    uint32_t *point;               // the number of each lane's point
     double *cx, *cy, *x, *y, *age; // c, z and the steps taken so far
-    uint8_t *inside;               // for packing: |z| <= 4,
-    uint32_t *number, *kept;       // 0, 1, 2, ... and those of them
+    uint8_t *inside;               // 1 where |z| <= 4, else 0
+    uint32_t *number, *kept;       // 0, 1, 2, ... and what a pack keeps
 };
+//<
 
 // The points of a picture, row by row from the top: width by height
 // small squares that cover -2.2 <= x <= 0.8, -1.125 <= y <= 1.125. To
 // be released with points_free.
 struct points picture(uint32_t width, uint32_t height);
 
-// Room for that many, to be released with lanes_free.
-struct lanes lanes_allocate(uint32_t most);
+// Room for at most max lanes, to be released with lanes_free.
+struct lanes lanes_allocate(uint32_t max);
 void lanes_free(struct lanes *lanes);
 
 // Sets steps[0 .. c.n-1], at most limit, to the same numbers whether

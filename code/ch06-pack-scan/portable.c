@@ -1,7 +1,8 @@
 //> Write the primitives in plain C
-// See portable.h. A step per element, and no branch but the loop's.
-// Where the compiler does not vectorize a loop, it is asked to unroll
-// it: a short one may take twice as long for where it happens to stand.
+// Each primitive is a loop with one step an element, and no branch but
+// the loop's. Where the compiler does not vectorize a loop, it is asked
+// to unroll it: the time of a loop of six instructions may double with
+// the address at which it happens to stand.
 #include "ch06-pack-scan/portable.h"
 
 //> Add element by element

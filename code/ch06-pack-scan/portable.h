@@ -1,6 +1,6 @@
 //> Declare the portable primitives
-// What each does is said in primitives.h. The vector versions call them
-// for what is less than a vector, and where they have nothing better.
+// primitives.h says what each does. The vector versions call them for
+// what is less than a vector, and where they have nothing better.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 

@@ -1,20 +1,25 @@
 //> Choose the primitives
-// See primitives.h.
+// The tables of functions, one for each instruction set. A processor
+// without vector instructions of x86 has only the portable one.
 #include "ch06-pack-scan/primitives.h"
 #include "ch06-pack-scan/avx2.h"
 #include "ch06-pack-scan/avx512.h"
 #include "ch06-pack-scan/portable.h"
 #include <assert.h>
 
+//> Look up the table of an instruction set
+static const struct primitives *const tables[ISA_COUNT] = {
+    [PORTABLE] = &portable_primitives,
+#ifdef HAVE_X86_VECTORS
+    [AVX2] = &avx2_primitives,
+    [AVX512] = &avx512_primitives,
+#endif
+};
+
 const struct primitives *primitives(enum isa isa)
 {
     assert(isa_present(isa) && "its instructions would be illegal");
-#ifdef HAVE_X86_VECTORS
-    if (isa == AVX512)
-        return &avx512_primitives;
-    if (isa == AVX2)
-        return &avx2_primitives;
-#endif
-    return &portable_primitives;
+    return tables[isa];
 }
+//<
 //<

@@ -2,8 +2,8 @@
 // What a vector machine does with whole arrays (Iverson 1962, Blelloch
 // 1990): elementwise arithmetic, routes, which are gather and scatter,
 // scan and pack. One table of functions for each instruction set; all
-// give the same results, to the last bit. Arrays overlap only where it
-// says so.
+// give the same results, to the last bit. n may be 0. Arrays overlap
+// only where it says so.
 #pragma once
 #include "common/isa.h"
 #include <stdint.h>
@@ -11,6 +11,7 @@
 struct primitives {
     enum isa isa;
 
+    //> Declare elementwise arithmetic and routes
     // to[i] = a[i] + b[i]; to may be a or b.
     void (*add)(double *to, const double *a, const double *b,
                 uint32_t n);
@@ -26,20 +27,23 @@ struct primitives {
                     const uint32_t *index, uint32_t n);
     void (*scatter32)(uint32_t *to, const uint32_t *from,
                       const uint32_t *index, uint32_t n);
+    //<
 
+    //> Declare scan and pack
     // to[i] = sum + from[0] + ... + from[i-1], modulo 2^32. Returns
     // sum + from[0] + ... + from[n-1]. to may be from.
     uint32_t (*scan)(uint32_t *to, const uint32_t *from, uint32_t n,
                      uint32_t sum);
 
-    // Moves those from[i] whose keep[i] is 1, not 0, to the front of
+    // Moves the from[i] whose keep[i] is 1, not 0, to the front of
     // to[0 .. n-1], in order, and returns how many. Up to SPILL numbers
     // behind them are overwritten. to may be from.
     uint32_t (*pack)(uint32_t *to, const uint32_t *from,
                      const uint8_t *keep, uint32_t n);
+    //<
 };
 enum { SPILL = 16 };
 
-// The table for an instruction set that is present.
+// The table for an instruction set, which must be present.
 const struct primitives *primitives(enum isa isa);
 //<

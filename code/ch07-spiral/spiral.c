@@ -1,31 +1,36 @@
 //> Search in spirals
-// See spiral.h.
+// The nearest neighbors of all points by spiral search, through the
+// points sorted by cell, as indices. Threads share out the points; no
+// two write to the same place.
 #include "ch07-spiral/spiral.h"
-#include "ch07-spiral/seek.h"
+#include "ch07-spiral/two_phases.h"
 #include "common/clock.h"
-#include "common/count.h"
 #include <stddef.h>
 
-enum { POINTS_PER_TURN = 256 };
+enum { POINTS_PER_CHUNK = 256 };
 
 // The valley is wide; this is what the report has.
 static const double per_cell = 1;
 
-//> Let every point seek
+//> Search for every point
 INLINED void search(const enum geometry geometry, const struct map *map,
-                    const uint32_t *order, int threads,
-                    struct answers *answers)
+                    const struct question *question,
+                    const uint32_t *order, struct answers *answers)
 {
-#pragma omp parallel for num_threads(threads) \
-    schedule(dynamic, POINTS_PER_TURN)
-    for (uint32_t k = 0; k < map->points.n; k++) {
-        uint32_t i = order ? order[k] : k;
-        struct seeker seeker = seeker_at(map->points, i);
-        seek(geometry, map, look_at_cell, &seeker);
-        answers->nearest[i] = seeker.nearest;
-        answers->nearest2[i] = seeker.best2;
-        COUNT(cells, seeker.looked);
-        COUNT(distances, seeker.met);
+#pragma omp parallel num_threads(question->threads)
+    {
+        struct counts mine = {0};
+#pragma omp for schedule(dynamic, POINTS_PER_CHUNK)
+        for (uint32_t k = 0; k < map->points.n; k++) {
+            uint32_t i = order ? order[k] : k;
+            struct spiral_query query = spiral_query_at(map, i);
+            spiral_nearest(geometry, map, visit_cell, &query);
+            answers->nearest[i] = query.nearest;
+            answers->nearest2[i] = query.best2;
+            mine.cells += query.cells;
+            mine.distances += query.distances;
+        }
+        counts_add(question->counts, &mine);
     }
 }
 //<
@@ -36,12 +41,12 @@ void search_spiral(const struct question *question,
 {
     struct map map = {grid, cells, question->points, question->space};
     if (question->space.geometry == STANDARD)
-        search(STANDARD, &map, order, question->threads, answers);
+        search(STANDARD, &map, question, order, answers);
     else
-        search(WRAPAROUND, &map, order, question->threads, answers);
+        search(WRAPAROUND, &map, question, order, answers);
 }
 
-//> Sort, then seek
+//> Sort, then search in spirals
 void spiral(const struct question *question, struct answers *answers)
 {
     struct grid grid = grid_fit(question, per_cell);

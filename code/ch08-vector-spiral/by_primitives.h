@@ -1,8 +1,10 @@
-//> Declare the loops with primitives
+//> Declare the kernels by primitives
 // The two inner loops as one would write them for a vector machine: one
-// primitive of chapter 6 after the other.
+// primitive of chapter 6 after the other. They explain the fused ones
+// (fused.h), and are held equal to them by tests.
 #pragma once
-#include "ch08-vector-spiral/loops.h"
+#include "ch08-vector-spiral/spiral_kernels.h"
 
-struct loops loops_by_primitives(enum isa isa);
+// For an instruction set that is present.
+extern const struct spiral_kernels spiral_by_primitives[ISA_COUNT];
 //<

@@ -1,32 +1,19 @@
 //> Fuse the loops in AVX2
-// See fused.h. Eight tasks or visits at a time; doubles in two halves.
-// Routes are loads and stores for each lane, as in chapter 6.
-#include "ch08-vector-spiral/fused_avx2.h"
+// Eight tasks or visits at a time; doubles in two halves. Routes are
+// loads and stores for each lane, as in chapter 6.
+#include "ch08-vector-spiral/fused.h"
 #ifdef HAVE_X86_VECTORS
-#include <immintrin.h>
+#include "ch08-vector-spiral/lanes_avx2.h"
 #include <stdlib.h>
-
-//> Load and store eight numbers
-USE_AVX2
-static inline __m256i eight(const void *from)
-{
-    return _mm256_loadu_si256((const __m256i *)from);
-}
-
-USE_AVX2
-static inline void put(void *to, __m256i x)
-{
-    _mm256_storeu_si256((__m256i *)to, x);
-}
-//<
 
 //> Pack visits in registers
 // Those lanes of a vector of visits whose bit is set, behind the k that
 // are already kept. Returns how many there are then.
 USE_AVX2
-static inline uint32_t keep(const struct visits *here, uint32_t k,
-                            unsigned lanes, __m256i task, __m256i at,
-                            __m256i end)
+static inline uint32_t keep_visits(const struct visits *here,
+                                   uint32_t k, unsigned lanes,
+                                   __m256i task, __m256i at,
+                                   __m256i end)
 {
     uint64_t bytes = _pdep_u64(lanes, 0x0101010101010101) * 0xff;
     uint64_t kept = _pext_u64(0x0706050403020100, bytes);
@@ -76,11 +63,12 @@ static inline void bounds(const uint32_t *start, __m256i cells,
 
 //> Take eight tasks to their cells
 USE_AVX2
-INLINED __m256i steps(const enum geometry geometry,
-                      const struct axis *axis, __m256i home, int32_t by)
+INLINED __m256i cells_after(const enum geometry geometry,
+                            const struct axis *axis, __m256i cell,
+                            int32_t by)
 {
     const __m256i m = _mm256_set1_epi32((int32_t)axis->count);
-    __m256i to = _mm256_add_epi32(home, _mm256_set1_epi32(by));
+    __m256i to = _mm256_add_epi32(cell, _mm256_set1_epi32(by));
     if (geometry == STANDARD)
         return to;
     __m256i below = _mm256_srai_epi32(to, 31);
@@ -96,33 +84,34 @@ INLINED void enter_in(const enum geometry geometry,
 {
     const struct axis *x = &map->grid->x, *y = &map->grid->y;
     const __m256i columns = _mm256_set1_epi32((int32_t)x->count);
-    const __m256i across = _mm256_set1_epi32(abs(dx) - 1);
-    const __m256i along = _mm256_set1_epi32(abs(dy) - 1);
-    const int32_t *aside = tasks->reach[dx < 0 ? WEST : EAST];
-    const int32_t *ahead = tasks->reach[dy < 0 ? SOUTH : NORTH];
-    uint64_t looked = 0;
+    const __m256i steps_x = _mm256_set1_epi32(abs(dx) - 1);
+    const __m256i steps_y = _mm256_set1_epi32(abs(dy) - 1);
+    const int32_t *bound_x = tasks->bound[dx < 0 ? WEST : EAST];
+    const int32_t *bound_y = tasks->bound[dy < 0 ? SOUTH : NORTH];
+    uint64_t visited = 0;
     uint32_t n = tasks->n, k = 0;
-    put(tasks->reach[dx < 0 ? WEST : EAST] + n, _mm256_set1_epi32(-1));
+    put(tasks->bound[dx < 0 ? WEST : EAST] + n, _mm256_set1_epi32(-1));
     for (uint32_t i = 0; i < n; i += 8) {
-        __m256i seen = _mm256_and_si256(
-            _mm256_cmpgt_epi32(eight(aside + i), across),
-            _mm256_cmpgt_epi32(eight(ahead + i), along));
-        if (bits(seen) == 0)
+        __m256i within = _mm256_and_si256(
+            _mm256_cmpgt_epi32(eight(bound_x + i), steps_x),
+            _mm256_cmpgt_epi32(eight(bound_y + i), steps_y));
+        if (bits(within) == 0)
             continue;
-        __m256i row = steps(geometry, y, eight(tasks->row + i), dy);
+        __m256i row =
+            cells_after(geometry, y, eight(tasks->row + i), dy);
         __m256i cell = _mm256_add_epi32(
             _mm256_mullo_epi32(row, columns),
-            steps(geometry, x, eight(tasks->column + i), dx));
+            cells_after(geometry, x, eight(tasks->column + i), dx));
         __m256i begin, end;
-        bounds(map->cells->start, _mm256_and_si256(seen, cell), &begin,
-               &end);
+        bounds(map->cells->start, _mm256_and_si256(within, cell),
+               &begin, &end);
         __m256i empty = _mm256_cmpeq_epi32(begin, end);
-        looked += (unsigned)__builtin_popcount(bits(seen));
-        k = keep(&strip->here, k,
-                 bits(_mm256_andnot_si256(empty, seen)),
-                 eight(tasks->task + i), begin, end);
+        visited += (unsigned)__builtin_popcount(bits(within));
+        k = keep_visits(&strip->here, k,
+                        bits(_mm256_andnot_si256(empty, within)),
+                        eight(tasks->task + i), begin, end);
     }
-    strip->tally.looked += looked;
+    strip->tally.visited += visited;
     strip->here.n = k;
 }
 //<
@@ -152,66 +141,11 @@ INLINED __m256d four_distances2(const enum geometry geometry,
 }
 //<
 
-//> Gather and scatter four
+//> Compare four points
 USE_AVX2
-static inline __m256d four(const double *from, const uint32_t *index)
-{
-    return _mm256_set_pd(from[index[3]], from[index[2]], from[index[1]],
-                         from[index[0]]);
-}
-
-USE_AVX2
-static inline __m128i four32(const uint32_t *from,
-                             const uint32_t *index)
-{
-    return _mm_set_epi32((int)from[index[3]], (int)from[index[2]],
-                         (int)from[index[1]], (int)from[index[0]]);
-}
-
-USE_AVX2
-static inline void put_four(double *to, const uint32_t *index,
-                            __m256d x)
-{
-    __m128d low = _mm256_castpd256_pd128(x);
-    __m128d high = _mm256_extractf128_pd(x, 1);
-    _mm_storel_pd(to + index[0], low);
-    _mm_storeh_pd(to + index[1], low);
-    _mm_storel_pd(to + index[2], high);
-    _mm_storeh_pd(to + index[3], high);
-}
-
-USE_AVX2
-static inline void put_four32(uint32_t *to, const uint32_t *index,
-                              __m128i x)
-{
-    to[index[0]] = (uint32_t)_mm_cvtsi128_si32(x);
-    to[index[1]] = (uint32_t)_mm_extract_epi32(x, 1);
-    to[index[2]] = (uint32_t)_mm_extract_epi32(x, 2);
-    to[index[3]] = (uint32_t)_mm_extract_epi32(x, 3);
-}
-//<
-
-//> Narrow and widen masks
-USE_AVX2
-static inline __m128i narrow(__m256d lanes)
-{
-    __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(lanes));
-    __m128 high = _mm_castpd_ps(_mm256_extractf128_pd(lanes, 1));
-    return _mm_castps_si128(_mm_shuffle_ps(low, high, 0x88));
-}
-
-USE_AVX2
-static inline __m256d widen(__m128i lanes)
-{
-    return _mm256_castsi256_pd(_mm256_cvtepi32_epi64(lanes));
-}
-//<
-
-//> Let four visits look
-USE_AVX2
-INLINED void look_four(const enum geometry geometry,
-                       const struct map *map, struct strip *strip,
-                       const uint32_t *task, const uint32_t *at)
+INLINED void compare_four(const enum geometry geometry,
+                          const struct map *map, struct strip *strip,
+                          const uint32_t *task, const uint32_t *at)
 {
     const struct points p = map->points;
     const uint32_t *point = map->cells->point;
@@ -221,7 +155,7 @@ INLINED void look_four(const enum geometry geometry,
         geometry, map->space,
         _mm256_sub_pd(four(p.x, j), four(strip->x, task)),
         _mm256_sub_pd(four(p.y, j), four(strip->y, task)));
-    //> Turn a task's own point into no number
+    //> Turn the distance to oneself into NaN
     __m128i own = _mm_add_epi32(_mm_loadu_si128((const __m128i *)task),
                                 _mm_set1_epi32((int)strip->first));
     __m128i self =
@@ -245,12 +179,12 @@ INLINED void look_four(const enum geometry geometry,
 }
 //<
 
-//> Let all visits look, eight at a time
-// The last vector is filled up with visits of nobody, each with a
-// single point left.
+//> Compare all visits, eight at a time
+// The last vector is filled up with visits of a task that is in no
+// list, each with a single point left.
 USE_AVX2
-INLINED void look_in(const enum geometry geometry,
-                     const struct map *map, struct strip *strip)
+INLINED void compare_in(const enum geometry geometry,
+                        const struct map *map, struct strip *strip)
 {
     const struct visits *here = &strip->here;
     const __m256i one = _mm256_set1_epi32(1);
@@ -259,39 +193,24 @@ INLINED void look_in(const enum geometry geometry,
     put(here->at + n, _mm256_setzero_si256());
     put(here->end + n, one);
     for (uint32_t i = 0; i < n; i += 8) {
-        look_four(geometry, map, strip, here->task + i, here->at + i);
-        look_four(geometry, map, strip, here->task + i + 4,
-                  here->at + i + 4);
+        compare_four(geometry, map, strip, here->task + i,
+                     here->at + i);
+        compare_four(geometry, map, strip, here->task + i + 4,
+                     here->at + i + 4);
         __m256i at = _mm256_add_epi32(eight(here->at + i), one);
         __m256i end = eight(here->end + i);
-        k = keep(here, k, ~bits(_mm256_cmpeq_epi32(at, end)) & 0xff,
-                 eight(here->task + i), at, end);
+        k = keep_visits(here, k,
+                        ~bits(_mm256_cmpeq_epi32(at, end)) & 0xff,
+                        eight(here->task + i), at, end);
     }
     strip->here.n = k;
 }
 //<
 
-//> Take the copy for the geometry in AVX2
-USE_AVX2
-static void enter(const struct map *map, struct strip *strip,
-                  const struct tasks *tasks, int32_t dx, int32_t dy)
-{
-    if (map->space.geometry == STANDARD)
-        enter_in(STANDARD, map, strip, tasks, dx, dy);
-    else
-        enter_in(WRAPAROUND, map, strip, tasks, dx, dy);
-}
+#define TARGET USE_AVX2
+#include "ch08-vector-spiral/both_geometries.h"
 
-USE_AVX2
-static void look(const struct map *map, struct strip *strip)
-{
-    if (map->space.geometry == STANDARD)
-        look_in(STANDARD, map, strip);
-    else
-        look_in(WRAPAROUND, map, strip);
-}
-
-const struct loops avx2_loops = {AVX2, enter, look};
-//<
+const struct spiral_kernels avx2_spiral = {AVX2, enter_cells,
+                                           compare_points};
 #endif
 //<

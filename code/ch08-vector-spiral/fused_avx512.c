@@ -1,7 +1,7 @@
 //> Fuse the loops in AVX-512
-// See fused_avx512.h. Every load, store and route has a mask of the
-// lanes that it is for, so that a vector need not be full.
-#include "ch08-vector-spiral/fused_avx512.h"
+// Eight tasks or visits at a time. Every load, store and route has a
+// mask of the lanes that it is for, so that a vector need not be full.
+#include "ch08-vector-spiral/fused.h"
 #ifdef HAVE_X86_VECTORS
 #include <immintrin.h>
 #include <stdlib.h>
@@ -24,9 +24,10 @@ static inline __m256i eight(__mmask8 here, const void *from)
 // The marked visits, behind the k that are already kept. Compress in a
 // register: straight to memory is slow on some processors.
 USE_AVX512
-static inline uint32_t keep(const struct visits *here, uint32_t k,
-                            __mmask8 lanes, __m256i task, __m256i at,
-                            __m256i end)
+static inline uint32_t keep_visits(const struct visits *here,
+                                   uint32_t k, __mmask8 lanes,
+                                   __m256i task, __m256i at,
+                                   __m256i end)
 {
     _mm256_storeu_si256((__m256i *)(here->task + k),
                         _mm256_maskz_compress_epi32(lanes, task));
@@ -40,11 +41,12 @@ static inline uint32_t keep(const struct visits *here, uint32_t k,
 
 //> Take eight tasks along an axis
 USE_AVX512
-INLINED __m256i steps(const enum geometry geometry,
-                      const struct axis *axis, __m256i home, int32_t by)
+INLINED __m256i cells_after(const enum geometry geometry,
+                            const struct axis *axis, __m256i cell,
+                            int32_t by)
 {
     const __m256i m = _mm256_set1_epi32((int32_t)axis->count);
-    __m256i to = _mm256_add_epi32(home, _mm256_set1_epi32(by));
+    __m256i to = _mm256_add_epi32(cell, _mm256_set1_epi32(by));
     if (geometry == STANDARD)
         return to;
     __mmask8 below =
@@ -64,37 +66,38 @@ INLINED void enter_in(const enum geometry geometry,
 {
     const struct axis *x = &map->grid->x, *y = &map->grid->y;
     const __m256i columns = _mm256_set1_epi32((int32_t)x->count);
-    const __m256i across = _mm256_set1_epi32(abs(dx));
-    const __m256i along = _mm256_set1_epi32(abs(dy));
-    const int32_t *aside = tasks->reach[dx < 0 ? WEST : EAST];
-    const int32_t *ahead = tasks->reach[dy < 0 ? SOUTH : NORTH];
+    const __m256i steps_x = _mm256_set1_epi32(abs(dx));
+    const __m256i steps_y = _mm256_set1_epi32(abs(dy));
+    const int32_t *bound_x = tasks->bound[dx < 0 ? WEST : EAST];
+    const int32_t *bound_y = tasks->bound[dy < 0 ? SOUTH : NORTH];
     uint32_t n = tasks->n, k = 0;
-    uint64_t looked = 0;
+    uint64_t visited = 0;
     for (uint32_t i = 0; i < n; i += 8) {
         __mmask8 all = left(n - i);
-        __mmask8 seen = _mm256_mask_cmpge_epi32_mask(
-            all, eight(all, aside + i), across);
-        seen = _mm256_mask_cmpge_epi32_mask(seen, eight(all, ahead + i),
-                                            along);
+        __mmask8 within = _mm256_mask_cmpge_epi32_mask(
+            all, eight(all, bound_x + i), steps_x);
+        within = _mm256_mask_cmpge_epi32_mask(
+            within, eight(all, bound_y + i), steps_y);
         __m256i row =
-            steps(geometry, y, eight(seen, tasks->row + i), dy);
+            cells_after(geometry, y, eight(within, tasks->row + i), dy);
         __m256i cell = _mm256_add_epi32(
             _mm256_mullo_epi32(row, columns),
-            steps(geometry, x, eight(seen, tasks->column + i), dx));
+            cells_after(geometry, x, eight(within, tasks->column + i),
+                        dx));
         //> Gather where each cell begins and ends
-        __m512i both = _mm512_mask_i64gather_epi64(
-            _mm512_setzero_si512(), seen, _mm512_cvtepu32_epi64(cell),
+        __m512i two = _mm512_mask_i64gather_epi64(
+            _mm512_setzero_si512(), within, _mm512_cvtepu32_epi64(cell),
             map->cells->start, 4);
-        __m256i begin = _mm512_cvtepi64_epi32(both);
-        __m256i end =
-            _mm512_cvtepi64_epi32(_mm512_srli_epi64(both, 32));
+        __m256i begin = _mm512_cvtepi64_epi32(two);
+        __m256i end = _mm512_cvtepi64_epi32(_mm512_srli_epi64(two, 32));
         //<
-        looked += (unsigned)__builtin_popcount(seen);
-        k = keep(&strip->here, k,
-                 _mm256_mask_cmpneq_epi32_mask(seen, begin, end),
-                 eight(seen, tasks->task + i), begin, end);
+        visited += (unsigned)__builtin_popcount(within);
+        k = keep_visits(
+            &strip->here, k,
+            _mm256_mask_cmpneq_epi32_mask(within, begin, end),
+            eight(within, tasks->task + i), begin, end);
     }
-    strip->tally.looked += looked;
+    strip->tally.visited += visited;
     strip->here.n = k;
 }
 //<
@@ -118,7 +121,7 @@ INLINED __m512d eight_distances2(const enum geometry geometry,
 }
 //<
 
-//> Let eight visits look
+//> Gather in the marked lanes
 USE_AVX512
 static inline __m512d doubles(__mmask8 here, __m512i index,
                               const double *from)
@@ -134,11 +137,13 @@ static inline __m256i numbers(__mmask8 here, __m512i index,
     return _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), here,
                                        index, from, 4);
 }
+//<
 
+//> Compare eight points
 USE_AVX512
-INLINED void look_eight(const enum geometry geometry,
-                        const struct map *map, struct strip *strip,
-                        __mmask8 here, __m256i task, __m256i at)
+INLINED void compare_eight(const enum geometry geometry,
+                           const struct map *map, struct strip *strip,
+                           __mmask8 here, __m256i task, __m256i at)
 {
     const struct points p = map->points;
     __m256i point =
@@ -167,10 +172,10 @@ INLINED void look_eight(const enum geometry geometry,
 }
 //<
 
-//> Let all visits look, by masks
+//> Compare all visits, by masks
 USE_AVX512
-INLINED void look_in(const enum geometry geometry,
-                     const struct map *map, struct strip *strip)
+INLINED void compare_in(const enum geometry geometry,
+                        const struct map *map, struct strip *strip)
 {
     const struct visits *here = &strip->here;
     const __m256i one = _mm256_set1_epi32(1);
@@ -180,36 +185,20 @@ INLINED void look_in(const enum geometry geometry,
         __m256i task = eight(all, here->task + i);
         __m256i at = eight(all, here->at + i);
         __m256i end = eight(all, here->end + i);
-        look_eight(geometry, map, strip, all, task, at);
+        compare_eight(geometry, map, strip, all, task, at);
         at = _mm256_add_epi32(at, one);
-        k = keep(here, k, _mm256_mask_cmpneq_epi32_mask(all, at, end),
-                 task, at, end);
+        k = keep_visits(here, k,
+                        _mm256_mask_cmpneq_epi32_mask(all, at, end),
+                        task, at, end);
     }
     strip->here.n = k;
 }
 //<
 
-//> Take the copy for the geometry in AVX-512
-USE_AVX512
-static void enter(const struct map *map, struct strip *strip,
-                  const struct tasks *tasks, int32_t dx, int32_t dy)
-{
-    if (map->space.geometry == STANDARD)
-        enter_in(STANDARD, map, strip, tasks, dx, dy);
-    else
-        enter_in(WRAPAROUND, map, strip, tasks, dx, dy);
-}
+#define TARGET USE_AVX512
+#include "ch08-vector-spiral/both_geometries.h"
 
-USE_AVX512
-static void look(const struct map *map, struct strip *strip)
-{
-    if (map->space.geometry == STANDARD)
-        look_in(STANDARD, map, strip);
-    else
-        look_in(WRAPAROUND, map, strip);
-}
-
-const struct loops avx512_loops = {AVX512, enter, look};
-//<
+const struct spiral_kernels avx512_spiral = {AVX512, enter_cells,
+                                             compare_points};
 #endif
 //<

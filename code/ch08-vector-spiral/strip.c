@@ -1,8 +1,9 @@
 //> Make room for a strip
-// See strip.h. All arrays are cut from one block, and each is longer by
+// All arrays of a strip are cut from one block, the widest elements
+// first so that each is aligned, and each array is longer by
 // what a pack may spill.
 #include "ch08-vector-spiral/strip.h"
-#include "common/fail.h"
+#include "common/allocate.h"
 #include <assert.h>
 #include <stdlib.h>
 
@@ -27,7 +28,7 @@ static struct tasks cut_tasks(struct room *room)
         .row = cut(room, sizeof(int32_t)),
     };
     for (int side = 0; side < SIDES; side++)
-        tasks.reach[side] = cut(room, sizeof(int32_t));
+        tasks.bound[side] = cut(room, sizeof(int32_t));
     return tasks;
 }
 //<
@@ -52,12 +53,12 @@ struct strip strip_allocate(const struct primitives *primitives,
     strip.ended = cut(&room, sizeof(int32_t));
     strip.cell = cut(&room, sizeof(uint32_t));
     strip.point = cut(&room, sizeof(uint32_t));
-    strip.least = cut(&room, sizeof(uint32_t));
+    strip.known = cut(&room, sizeof(uint32_t));
     strip.here.task = cut(&room, sizeof(uint32_t));
     strip.here.at = cut(&room, sizeof(uint32_t));
     strip.here.end = cut(&room, sizeof(uint32_t));
     strip.all = cut_tasks(&room);
-    strip.some = cut_tasks(&room);
+    strip.layer = cut_tasks(&room);
     strip.keep = cut(&room, sizeof(uint8_t));
     assert((size_t)(room.next - (char *)strip.x) ==
                room.length * TASK_BYTES &&

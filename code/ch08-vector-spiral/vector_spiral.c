@@ -1,18 +1,19 @@
-//> Sort, then march
-// See vector_spiral.h.
+//> Sort, then advance
+// Chapter 4's sort into cells, one point to a cell on average, then all
+// searches in strips of 1,024 tasks.
 #include "ch08-vector-spiral/vector_spiral.h"
-#include "ch08-vector-spiral/fused.h"
-#include "ch08-vector-spiral/march.h"
+#include "ch08-vector-spiral/advance.h"
 #include "common/clock.h"
-#include <stddef.h>
 
-void sort_and_march(const struct question *question, struct loops loops,
-                    struct answers *answers)
+void sort_and_advance(const struct question *question,
+                      const struct spiral_kernels *kernels,
+                      struct answers *answers)
 {
     struct grid grid = grid_fit(question, 1); // as the spiral
     struct cells cells = cells_sort(&grid, question->points);
     answers->built_ns = clock_ns();
-    march(question, &grid, &cells, &loops, STRIP, answers, NULL, NULL);
+    struct strip_plan plan = {.kernels = kernels, .length = STRIP};
+    advance_tasks(question, &grid, &cells, &plan, answers);
     cells_free(&cells);
     grid_free(&grid);
 }
@@ -20,6 +21,6 @@ void sort_and_march(const struct question *question, struct loops loops,
 void vector_spiral(const struct question *question,
                    struct answers *answers)
 {
-    sort_and_march(question, loops_fused(isa_chosen()), answers);
+    sort_and_advance(question, spiral_kernels(isa_chosen()), answers);
 }
 //<

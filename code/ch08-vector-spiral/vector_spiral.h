@@ -1,15 +1,18 @@
 //> Declare the vectorized spiral search
-// Su's algorithm: the spiral searches of chapter 7 as tasks that march
-// in step and are packed (march.h), with fused loops.
+// Su's algorithm (about 1990): the spiral searches of chapter 7 as
+// tasks that advance in step and are packed (advance.h), with fused
+// kernels. As many distances as the spiral search, and one a point
+// more, to itself.
 #pragma once
-#include "ch08-vector-spiral/loops.h"
+#include "ch08-vector-spiral/spiral_kernels.h"
 
 // Sorts the points into cells, and searches. The best length of a strip
 // is found by the experiment strips.
 enum { STRIP = 1024 };
 search_function vector_spiral;
 
-// The same with loops of the caller's choice.
-void sort_and_march(const struct question *question, struct loops loops,
-                    struct answers *answers);
+// The same with kernels of the caller's choice.
+void sort_and_advance(const struct question *question,
+                      const struct spiral_kernels *kernels,
+                      struct answers *answers);
 //<

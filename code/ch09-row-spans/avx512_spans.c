@@ -1,85 +1,60 @@
-//> Go along with AVX-512
-// See tile.h: sixteen floats, or eight doubles, at a time.
-#include "ch09-row-spans/avx512_spans.h"
-#include "common/isa.h"
+//> Search row spans with AVX-512
+// The kernels of span_kernels.h: sixteen floats, or eight doubles, at a
+// time. What follows the sweep is AVX2's.
+#include "ch09-row-spans/span_kernels.h"
 #ifdef HAVE_X86_VECTORS
-#include "ch09-row-spans/avx512_window.h"
+#include "ch09-row-spans/avx512_batch.h"
 
 //> Stage eight with a mask
 USE_AVX512
-INLINED void stage(const struct sorted *sorted, uint32_t begin,
-                   uint32_t end, double x, double y,
-                   struct table *table)
+static void stage(const struct sorted *sorted,
+                  const struct span_source *source, uint32_t place,
+                  struct staging *staging)
 {
     const struct points p = sorted->points;
-    const __m512d from_x = _mm512_set1_pd(x),
-                  from_y = _mm512_set1_pd(y);
+    const __m512d x = _mm512_set1_pd(source->x),
+                  y = _mm512_set1_pd(source->y);
     const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-    uint32_t k = table->count;
-    table->count += end - begin;
-    for (uint64_t s = begin; s < end; s += 8, k += 8) {
-        uint32_t left = end - s;
+    uint32_t k = place;
+    for (uint64_t s = source->begin; s < source->end; s += 8, k += 8) {
+        uint32_t left = source->end - s;
         __mmask8 there = (__mmask8)(left < 8 ? (1u << left) - 1 : 255);
-        __m512d dx = _mm512_sub_pd(
-            _mm512_maskz_loadu_pd(there, p.x + s), from_x);
-        __m512d dy = _mm512_sub_pd(
-            _mm512_maskz_loadu_pd(there, p.y + s), from_y);
-        _mm256_storeu_ps(table->x + k, _mm512_cvtpd_ps(dx));
-        _mm256_storeu_ps(table->y + k, _mm512_cvtpd_ps(dy));
-        _mm256_storeu_si256(
-            (__m256i *)(table->place + k),
-            _mm256_add_epi32(_mm256_set1_epi32((int)s), lane));
+        __m512d dx =
+            _mm512_sub_pd(_mm512_maskz_loadu_pd(there, p.x + s), x);
+        __m512d dy =
+            _mm512_sub_pd(_mm512_maskz_loadu_pd(there, p.y + s), y);
+        __m256i index =
+            _mm256_add_epi32(_mm256_set1_epi32((int)s), lane);
+        _mm256_storeu_ps(staging->place_x + k, _mm512_cvtpd_ps(dx));
+        _mm256_storeu_ps(staging->place_y + k, _mm512_cvtpd_ps(dy));
+        _mm256_storeu_si256((__m256i *)(staging->index + k), index);
     }
 }
 //<
 
-//> See near with sixteen floats
+//> Find the nearest of a batch with AVX-512
 USE_AVX512
-INLINED __m512 see_near(const struct wide_eye *eye, __m512 dx,
-                        __m512 dy)
+INLINED __m512 measure_near(const struct wide_lanes *lanes, __m512 dx,
+                            __m512 dy)
 {
-    (void)eye;
+    (void)lanes;
     return _mm512_fmadd_ps(dx, dx, _mm512_mul_ps(dy, dy));
 }
 
 USE_AVX512
-INLINED uint32_t glance(const enum geometry geometry,
-                        struct space space, const struct sorted *sorted,
-                        const struct window *window,
-                        const struct tile *tile, struct reply *reply)
+static uint32_t nearest(const struct scene *scene,
+                        const struct staging *staging,
+                        const struct query_batch *batch,
+                        struct batch_result *result)
 {
-    struct sieve sieve;
-    sweep_wide(see_near, space, sorted, window, tile, &sieve);
-    return reply_to_eight(settle, geometry, space,
-                          near_slack(tile->reach), sorted, window, tile,
-                          &sieve, reply);
+    struct best_two two =
+        sweep_wide(measure_near, scene, staging, batch);
+    return certify_near(scene, staging, batch, &two, result);
 }
 //<
 
-//> Sift with sixteen floats
-USE_AVX512
-INLINED void sift(const struct table *table, struct sieve *sieve)
-{
-    struct wide_eye eye =
-        wide_eye_for((struct space){0}, table->x, table->y);
-    uint32_t number[2] = {0, 1};
-    for (uint32_t k = 0; k < ASKING; k += 2) {
-        number[0] = k, number[1] = k + 1;
-        __m512 seen = glance_at_two(see_near, &eye, table->x + k,
-                                    table->y + k, number);
-        keep_wide(&eye.wide, nobody_self(seen, k));
-    }
-    for (uint32_t k = ASKING; k < table->count; k += 2) {
-        number[0] = k, number[1] = k + 1;
-        keep_wide(&eye.wide, glance_at_two(see_near, &eye, table->x + k,
-                                           table->y + k, number));
-    }
-    join(&eye.wide, sieve);
-}
-//<
-
-//> Meet eight at a time
-struct eight {
+//> Compare with eight points at a time
+struct eight_best {
     __m512d best2;
     __m512i nearest, self;
 };
@@ -100,71 +75,69 @@ INLINED __m512d eight_near2(const enum geometry geometry,
 }
 
 USE_AVX512
-INLINED void eight_keep(struct eight *eight, __m512d d2, __m512i who,
-                        __mmask8 there)
+INLINED void keep_eight(struct eight_best *eight, __m512d d2,
+                        __m512i candidate, __mmask8 there)
 {
     __mmask8 less = _mm512_cmp_pd_mask(d2, eight->best2, _CMP_LT_OQ);
     __mmask8 same = _mm512_cmp_pd_mask(d2, eight->best2, _CMP_EQ_OQ);
-    __mmask8 first = _mm512_cmpgt_epi64_mask(eight->nearest, who);
-    __mmask8 self = _mm512_cmpeq_epi64_mask(who, eight->self);
+    __mmask8 first = _mm512_cmpgt_epi64_mask(eight->nearest, candidate);
+    __mmask8 self = _mm512_cmpeq_epi64_mask(candidate, eight->self);
     __mmask8 better =
         (__mmask8)((less | (same & first)) & ~self & there);
     eight->best2 = _mm512_mask_mov_pd(eight->best2, better, d2);
-    eight->nearest = _mm512_mask_mov_epi64(eight->nearest, better, who);
+    eight->nearest =
+        _mm512_mask_mov_epi64(eight->nearest, better, candidate);
 }
 
 USE_AVX512
-INLINED void meet(const enum geometry geometry, struct space space,
-                  const struct sorted *sorted, uint32_t begin,
-                  uint32_t end, struct single *single)
+INLINED void keep_best_of_eight(const struct eight_best *eight,
+                                struct point_query *query)
 {
-    const struct points p = sorted->points;
-    const uint32_t *point = sorted->cells.point;
-    const __m512d x = _mm512_set1_pd(single->x);
-    const __m512d y = _mm512_set1_pd(single->y);
-    struct eight eight = {_mm512_set1_pd(single->best2),
-                          _mm512_set1_epi64(single->nearest),
-                          _mm512_set1_epi64(single->self)};
+    double best2[8];
+    uint64_t nearest[8];
+    _mm512_storeu_pd(best2, eight->best2);
+    _mm512_storeu_si512(nearest, eight->nearest);
+    for (int lane = 0; lane < 8; lane++)
+        query_keep(query, best2[lane], (uint32_t)nearest[lane]);
+}
+
+USE_AVX512
+INLINED void compare_span(const enum geometry geometry,
+                          const struct scene *scene, uint32_t begin,
+                          uint32_t end, struct point_query *query)
+{
+    const struct points p = scene->sorted->points;
+    const uint32_t *point = scene->sorted->cells.point;
+    const __m512d x = _mm512_set1_pd(query->x);
+    const __m512d y = _mm512_set1_pd(query->y);
+    struct eight_best eight = {_mm512_set1_pd(query->best2),
+                               _mm512_set1_epi64(query->nearest),
+                               _mm512_set1_epi64(query->self)};
     for (uint64_t s = begin; s < end; s += 8) {
         uint32_t left = end - s;
         __mmask8 there = (__mmask8)(left < 8 ? (1u << left) - 1 : 255);
         __m512d d2 = eight_near2(
-            geometry, space,
+            geometry, scene->space,
             _mm512_sub_pd(_mm512_maskz_loadu_pd(there, p.x + s), x),
             _mm512_sub_pd(_mm512_maskz_loadu_pd(there, p.y + s), y));
-        __m256i who = _mm256_maskz_loadu_epi32(there, point + s);
-        eight_keep(&eight, d2, _mm512_cvtepu32_epi64(who), there);
+        __m256i candidate = _mm256_maskz_loadu_epi32(there, point + s);
+        keep_eight(&eight, d2, _mm512_cvtepu32_epi64(candidate), there);
     }
-    double best2[8];
-    uint64_t nearest[8];
-    _mm512_storeu_pd(best2, eight.best2);
-    _mm512_storeu_si512(nearest, eight.nearest);
-    for (int lane = 0; lane < 8; lane++)
-        single_keep(single, best2[lane], (uint32_t)nearest[lane]);
+    keep_best_of_eight(&eight, query);
+}
+
+USE_AVX512
+static void compare(const struct scene *scene, uint32_t begin,
+                    uint32_t end, struct point_query *query)
+{
+    if (scene->space.geometry == STANDARD)
+        compare_span(STANDARD, scene, begin, end, query);
+    else
+        compare_span(WRAPAROUND, scene, begin, end, query);
 }
 //<
 
-//> Go by windows with AVX-512
-USE_AVX512
-void avx512_spans(const struct question *question,
-                  const struct sorted *sorted, enum manner manner,
-                  const struct visit *visit, uint32_t begin,
-                  uint32_t end, struct answers *found)
-{
-    const struct space space = question->space;
-    if (manner == TOGETHER && space.geometry == STANDARD)
-        go_by_windows(STANDARD, stage, sift, frame, glance, meet, space,
-                      sorted, visit, begin, end, found);
-    else if (manner == TOGETHER)
-        go_by_windows(WRAPAROUND, stage, sift, frame, glance, meet,
-                      space, sorted, visit, begin, end, found);
-    else if (space.geometry == STANDARD)
-        go(STANDARD, stage, sift, meet, space, sorted, manner, visit,
-           begin, end, found);
-    else
-        go(WRAPAROUND, stage, sift, meet, space, sorted, manner, visit,
-           begin, end, found);
-}
-//<
+const struct span_kernels avx512_spans = {"avx512", stage, nearest,
+                                          compare};
 #endif
 //<

@@ -1,77 +1,104 @@
-//> Go along in plain C
-// See tile.h: loops over eight lanes, for whatever vectors there are.
-#include "ch09-row-spans/portable_spans.h"
-#include "ch09-row-spans/tile.h"
+//> Search row spans in plain C
+// The kernels of span_kernels.h for any processor, one candidate at a
+// time for eight queries, or one query with one point at a time.
+#include "ch09-row-spans/portable_batch.h"
+#include "ch09-row-spans/span_kernels.h"
 
-INLINED void stage(const struct sorted *sorted, uint32_t begin,
-                   uint32_t end, double x, double y,
-                   struct table *table)
-{
-    stage_plainly(sorted, begin, end, x, y, table->count, table);
-    table->count += end - begin;
-}
-
-//> Give a distance a number
-static inline float numbered(float d2, uint32_t number)
-{
-    uint32_t bits;
-    memcpy(&bits, &d2, sizeof bits);
-    bits = (bits & ~(uint32_t)NUMBER_BITS) | number;
-    memcpy(&d2, &bits, sizeof bits);
-    return d2;
-}
-//<
-
-//> Sift in plain C
-INLINED void sift(const struct table *table, struct sieve *sieve)
-{
-    struct sieve s;
-    for (int lane = 0; lane < ASKING; lane++)
-        s.best[lane] = s.second[lane] = FAR2;
-    for (uint32_t k = 0; k < table->count; k++) {
-        const uint32_t self = k;
-#pragma omp simd
-        for (uint32_t lane = 0; lane < ASKING; lane++) {
-            float dx = table->x[k] - table->x[lane];
-            float dy = table->y[k] - table->y[lane];
-            float d2 = numbered(dx * dx + dy * dy, k);
-            d2 = lane == self ? FAR2 : d2;
-            float best = s.best[lane], second = s.second[lane];
-            float loser = best > d2 ? best : d2;
-            s.best[lane] = best < d2 ? best : d2;
-            s.second[lane] = second < loser ? second : loser;
-        }
-    }
-    *sieve = s;
-}
-//<
-
-//> Meet one at a time
-INLINED void meet(const enum geometry geometry, struct space space,
-                  const struct sorted *sorted, uint32_t begin,
-                  uint32_t end, struct single *single)
+//> Stage a part of a row
+static void stage(const struct sorted *sorted,
+                  const struct span_source *source, uint32_t place,
+                  struct staging *staging)
 {
     const struct points p = sorted->points;
-    for (uint32_t s = begin; s < end; s++) {
-        double near2 = pair2(geometry, space, p.x[s] - single->x,
-                             p.y[s] - single->y)
-                           .near2;
-        if (sorted->cells.point[s] != single->self)
-            single_keep(single, near2, sorted->cells.point[s]);
+    for (uint32_t s = source->begin; s < source->end; s++, place++) {
+        staging->place_x[place] = (float)(p.x[s] - source->x);
+        staging->place_y[place] = (float)(p.y[s] - source->y);
+        staging->index[place] = s;
     }
 }
 //<
 
-void portable_spans(const struct question *question,
-                    const struct sorted *sorted, enum manner manner,
-                    const struct visit *visit, uint32_t begin,
-                    uint32_t end, struct answers *found)
+static float near_measure(const struct scene *scene, float dx, float dy)
 {
-    if (question->space.geometry == STANDARD)
-        go(STANDARD, stage, sift, meet, question->space, sorted, manner,
-           visit, begin, end, found);
-    else
-        go(WRAPAROUND, stage, sift, meet, question->space, sorted,
-           manner, visit, begin, end, found);
+    (void)scene;
+    return dx * dx + dy * dy;
 }
+
+//> Certify the nearest
+// A candidate is certain if no other of the block can be as near, and
+// nothing outside of it.
+INLINED uint32_t certify(const enum geometry geometry,
+                         const struct scene *scene,
+                         const struct staging *staging,
+                         const struct query_batch *batch,
+                         const struct best_two *two,
+                         struct batch_result *result)
+{
+    const struct sorted *sorted = scene->sorted;
+    const double *x = sorted->points.x, *y = sorted->points.y;
+    const float slack = near_slack(staging);
+    uint32_t certified = 0;
+    for (int lane = 0; lane < BATCH; lane++) {
+        //> Certify one lane
+        uint32_t s = batch->begin + lane;
+        uint32_t t = staging->index[place_of(two->best[lane])];
+        double margin =
+            block_margin(&sorted->grid, &batch->block, x[s], y[s]);
+        double near2 =
+            pair2(geometry, scene->space, x[t] - x[s], y[t] - y[s])
+                .near2;
+        result->candidate[lane] = t;
+        result->distance2[lane] = near2;
+        certified |= (uint32_t)(is_certain(two, lane, slack) &&
+                                near2 < margin * margin)
+                     << lane;
+        //<
+    }
+    return certified;
+}
+//<
+
+//> Find the nearest of a batch
+static uint32_t nearest(const struct scene *scene,
+                        const struct staging *staging,
+                        const struct query_batch *batch,
+                        struct batch_result *result)
+{
+    struct best_two two =
+        sweep_plainly(near_measure, scene, staging, batch);
+    return scene->space.geometry == STANDARD
+               ? certify(STANDARD, scene, staging, batch, &two, result)
+               : certify(WRAPAROUND, scene, staging, batch, &two,
+                         result);
+}
+//<
+
+//> Compare a query with a row span
+INLINED void compare_span(const enum geometry geometry,
+                          const struct scene *scene, uint32_t begin,
+                          uint32_t end, struct point_query *query)
+{
+    const struct points p = scene->sorted->points;
+    const uint32_t *point = scene->sorted->cells.point;
+    for (uint32_t s = begin; s < end; s++) {
+        double near2 = pair2(geometry, scene->space, p.x[s] - query->x,
+                             p.y[s] - query->y)
+                           .near2;
+        if (point[s] != query->self)
+            query_keep(query, near2, point[s]);
+    }
+}
+
+static void compare(const struct scene *scene, uint32_t begin,
+                    uint32_t end, struct point_query *query)
+{
+    if (scene->space.geometry == STANDARD)
+        compare_span(STANDARD, scene, begin, end, query);
+    else
+        compare_span(WRAPAROUND, scene, begin, end, query);
+}
+//<
+
+const struct span_kernels portable_spans = {"portable", stage, nearest,
+                                            compare};
 //<

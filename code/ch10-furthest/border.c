@@ -1,64 +1,61 @@
 //> Search where the coursework looks
-// See border.h.
+// The furthest point where the coursework looks for it: in all cells
+// along the border of the grid, some 4 sqrt(n c) of n points, or in
+// those that reach outside of a circle, some 4 c; c points in a cell.
+// Both err where a corner of the grid has no points: for comparison
+// only.
 #include "ch10-furthest/border.h"
-#include "ch04-cell-sort/lists.h"
-#include "common/count.h"
 #include <stddef.h>
 
-#ifdef COUNTING
-#define search_edge_cells counting_search_edge_cells
-#define search_one_corner counting_search_one_corner
-#endif
+enum { POINTS_PER_CHUNK = 256 };
 
-enum { POINTS_PER_TURN = 256 };
-
-//> Hold a point that asks for the furthest
-struct asking {
+//> Hold a query for the furthest
+struct far_query {
     double x, y;
-    uint32_t self, furthest; // indices
-    double best2;
-    uint64_t cells, met; // looked at
+    uint32_t self, furthest;  // indices
+    double max2;              // squared distance to the furthest
+    uint64_t cells, compared; // cells visited, points compared
 };
 //<
 
-//> Look for the furthest in a span
+//> Visit a span of cells
 // The cells first .. last of a row are one stretch of the points.
-static void look_at_span(const struct sorted *sorted, uint32_t row,
-                         uint32_t first, uint32_t last,
-                         struct asking *asking)
+static void visit_span(const struct sorted *sorted, uint32_t row,
+                       uint32_t first, uint32_t last,
+                       struct far_query *query)
 {
     const uint32_t *start =
         sorted->cells.start + (size_t)row * sorted->grid.x.count;
     for (uint32_t s = start[first]; s < start[last + 1]; s++) {
         uint32_t j = sorted->cells.point[s];
-        double d2 = distance2(sorted->points.x[s] - asking->x,
-                              sorted->points.y[s] - asking->y);
-        if (j != asking->self &&
-            (d2 > asking->best2 ||
-             (d2 == asking->best2 && j < asking->furthest))) {
-            asking->best2 = d2;
-            asking->furthest = j;
+        double d2 = distance2(sorted->points.x[s] - query->x,
+                              sorted->points.y[s] - query->y);
+        if (j != query->self &&
+            (d2 > query->max2 ||
+             (d2 == query->max2 && j < query->furthest))) {
+            query->max2 = d2;
+            query->furthest = j;
         }
     }
-    asking->cells += last + 1 - first;
-    asking->met += start[last + 1] - start[first];
+    query->cells += last + 1 - first;
+    query->compared += start[last + 1] - start[first];
 }
 //<
 
-//> Look along the border
-static void look_along_border(const struct sorted *sorted,
-                              struct asking *asking)
+//> Visit the border
+static void visit_border(const struct sorted *sorted,
+                         struct far_query *query)
 {
     uint32_t right = sorted->grid.x.count - 1;
     uint32_t top = sorted->grid.y.count - 1;
-    look_at_span(sorted, 0, 0, right, asking);
+    visit_span(sorted, 0, 0, right, query);
     for (uint32_t row = 1; row < top; row++) {
-        look_at_span(sorted, row, 0, 0, asking);
+        visit_span(sorted, row, 0, 0, query);
         if (right > 0)
-            look_at_span(sorted, row, right, right, asking);
+            visit_span(sorted, row, right, right, query);
     }
     if (top > 0)
-        look_at_span(sorted, top, 0, right, asking);
+        visit_span(sorted, top, 0, right, query);
 }
 //<
 
@@ -79,11 +76,11 @@ struct circle circle_around(const struct grid *grid, double x, double y)
 }
 //<
 
-//> Look at the ends of a row
+//> Visit the ends of a row
 // What is outside the circle is at the two ends of a row.
-static bool look_at_ends(const struct sorted *sorted,
-                         const struct circle *circle, uint32_t row,
-                         struct asking *asking)
+static bool visit_ends(const struct sorted *sorted,
+                       const struct circle *circle, uint32_t row,
+                       struct far_query *query)
 {
     const struct grid *grid = &sorted->grid;
     uint32_t left = 0, right = grid->x.count;
@@ -92,54 +89,55 @@ static bool look_at_ends(const struct sorted *sorted,
     while (right > left && partly_outside(grid, circle, right - 1, row))
         right--;
     if (left > 0)
-        look_at_span(sorted, row, 0, left - 1, asking);
+        visit_span(sorted, row, 0, left - 1, query);
     if (right < grid->x.count)
-        look_at_span(sorted, row, right, grid->x.count - 1, asking);
+        visit_span(sorted, row, right, grid->x.count - 1, query);
     return left > 0 || right < grid->x.count;
 }
 //<
 
-//> Look outside the circle
+//> Visit what is outside the circle
 // From the lowest row up and from the highest row down, as long as
-// there is something to see.
-static void look_outside(const struct sorted *sorted,
-                         struct asking *asking)
+// a row has a cell that is partly outside.
+static void visit_outside(const struct sorted *sorted,
+                          struct far_query *query)
 {
     struct circle circle =
-        circle_around(&sorted->grid, asking->x, asking->y);
+        circle_around(&sorted->grid, query->x, query->y);
     uint32_t low = 0, high = sorted->grid.y.count;
-    while (low < high && look_at_ends(sorted, &circle, low, asking))
+    while (low < high && visit_ends(sorted, &circle, low, query))
         low++;
-    while (high > low &&
-           look_at_ends(sorted, &circle, high - 1, asking))
+    while (high > low && visit_ends(sorted, &circle, high - 1, query))
         high--;
 }
 //<
 
-//> Let every point look there
-typedef void look_far_function(const struct sorted *sorted,
-                               struct asking *asking);
+//> Answer every query there
+typedef void far_visit(const struct sorted *sorted,
+                       struct far_query *query);
 
 static void search(const struct question *question,
-                   const struct sorted *sorted, look_far_function *look,
+                   const struct sorted *sorted, far_visit *visit,
                    struct answers *answers)
 {
-#pragma omp parallel for num_threads(question->threads) \
-    schedule(dynamic, POINTS_PER_TURN)
-    for (uint32_t s = 0; s < sorted->points.n; s++) {
-        uint32_t i = sorted->cells.point[s];
-        struct asking asking = {sorted->points.x[s],
-                                sorted->points.y[s],
-                                i,
-                                NOBODY,
-                                -1,
-                                0,
-                                0};
-        look(sorted, &asking);
-        answers->furthest[i] = asking.furthest;
-        answers->furthest2[i] = asking.best2;
-        COUNT(cells, asking.cells);
-        COUNT(distances, asking.met);
+#pragma omp parallel num_threads(question->threads)
+    {
+        struct counts mine = {0};
+#pragma omp for schedule(dynamic, POINTS_PER_CHUNK)
+        for (uint32_t s = 0; s < sorted->points.n; s++) {
+            uint32_t i = sorted->cells.point[s];
+            struct far_query query = {.x = sorted->points.x[s],
+                                      .y = sorted->points.y[s],
+                                      .self = i,
+                                      .furthest = NO_INDEX,
+                                      .max2 = -1};
+            visit(sorted, &query);
+            answers->furthest[i] = query.furthest;
+            answers->furthest2[i] = query.max2;
+            mine.cells += query.cells;
+            mine.distances += query.compared;
+        }
+        counts_add(question->counts, &mine);
     }
 }
 
@@ -147,14 +145,14 @@ void search_edge_cells(const struct question *question,
                        const struct sorted *sorted,
                        struct answers *answers)
 {
-    search(question, sorted, look_along_border, answers);
+    search(question, sorted, visit_border, answers);
 }
 
 void search_one_corner(const struct question *question,
                        const struct sorted *sorted,
                        struct answers *answers)
 {
-    search(question, sorted, look_outside, answers);
+    search(question, sorted, visit_outside, answers);
 }
 //<
 //<

@@ -2,14 +2,15 @@
 // The furthest neighbors in the standard geometry, looked for where the
 // coursework looks: in all cells along the border of the grid, or in
 // those that the corner trick leaves over. Right as long as no corner
-// cell is empty (edge cells), or no cell at all (one corner); wrong
-// without a word otherwise.
+// cell is empty (edge cells), or no cell at all (one corner); else the
+// answer may be wrong, and nothing tells.
 #pragma once
 #include "ch04-cell-sort/sorted.h"
 #include <stdbool.h>
 
-// In any grid. Furthest only; who finds nobody is given NOBODY, at -1.
-// Threads share out the points.
+// In any grid, for the furthest only; a query that finds no other point
+// gets NO_INDEX, at -1; of a tie the lowest index. Threads are the
+// question's.
 void search_edge_cells(const struct question *question,
                        const struct sorted *sorted,
                        struct answers *answers);
@@ -17,19 +18,13 @@ void search_one_corner(const struct question *question,
                        const struct sorted *sorted,
                        struct answers *answers);
 
-// Their counting twins: take the counts with counting_take.
-void counting_search_edge_cells(const struct question *question,
-                                const struct sorted *sorted,
-                                struct answers *answers);
-void counting_search_one_corner(const struct question *question,
-                                const struct sorted *sorted,
-                                struct answers *answers);
-
-// A circle around a point, through the nearest corner of the cell in
-// the furthest corner of the grid.
+//> Hold a circle around a query
+// Through the nearest corner of the cell in the furthest corner of the
+// grid.
 struct circle {
     double x, y, radius2;
 };
+//<
 
 struct circle circle_around(const struct grid *grid, double x,
                             double y);

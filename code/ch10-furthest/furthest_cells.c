@@ -1,24 +1,21 @@
 //> Search the cells from outside
-// See furthest_cells.h.
+// Rows from the outside inward and in each its cells, for eight queries
+// that stand together or for one, by the batch search's chunks; then
+// order is restored. See outside.h for the search itself.
 #include "ch10-furthest/furthest_cells.h"
-#include "ch09-row-spans/send_back.h"
 #include "ch10-furthest/outside.h"
 #include "common/clock.h"
-#include "common/fail.h"
-#include <stdlib.h>
-
-#ifdef COUNTING
-#define search_furthest_cells counting_search_furthest_cells
-#endif
+#include <assert.h>
 
 //> Find the rows that have points
-struct rows rows_find(const struct sorted *sorted)
+struct rows rows_find(const struct sorted *sorted,
+                      struct workspace *workspace)
 {
     const uint32_t columns = sorted->grid.x.count;
     const uint32_t n = sorted->grid.y.count;
     const uint32_t *start = sorted->cells.start;
-    struct rows rows = {0, allocate(n, sizeof *rows.row),
-                        allocate(n, sizeof *rows.place)};
+    struct rows rows = {0, workspace_take(workspace, n, sizeof *start),
+                        workspace_take(workspace, n, sizeof *start)};
     for (uint32_t row = 0; row < n; row++) {
         rows.place[row] = rows.count;
         rows.row[rows.count] = row;
@@ -26,119 +23,119 @@ struct rows rows_find(const struct sorted *sorted)
     }
     return rows;
 }
-
-void rows_free(struct rows *rows)
-{
-    free(rows->place);
-    free(rows->row);
-    *rows = (struct rows){0};
-}
 //<
 
 //> Say whether eight stand together
-// In one row, so that with wraparound their homes are one stretch, and
-// a short one, for it is looked at first.
+// In one row, so that with wraparound their own cells are one stretch,
+// and a short one, for it is compared first.
 static bool stand_together(const struct sorted *sorted, uint32_t s,
                            uint32_t end)
 {
-    if (end - s < ABREAST)
+    if (end - s < FAR_BATCH)
         return false;
-    const uint32_t last = s + ABREAST - 1;
+    const uint32_t last = s + FAR_BATCH - 1;
     const struct axis *across = &sorted->grid.x, *up = &sorted->grid.y;
     const double *x = sorted->points.x, *y = sorted->points.y;
     return axis_cell(up, y[s]) == axis_cell(up, y[last]) &&
            axis_cell(across, x[last]) <
-               axis_cell(across, x[s]) + ABREAST;
+               axis_cell(across, x[s]) + FAR_BATCH;
 }
 //<
 
-//> Seek together or alone
+//> Search for a batch or for one query
 // For as many of the sorted points as there are lanes, from s on.
-INLINED void seek_for(const enum geometry geometry,
-                      const uint32_t lanes, const struct ground *ground,
-                      uint32_t s, uint32_t *furthest, double *furthest2)
+INLINED void search_lanes(const enum geometry geometry,
+                          const uint32_t lanes,
+                          const struct far_scene *scene, uint32_t s,
+                          struct neighbor *found, struct counts *counts)
 {
-    struct viewers viewers;
-    set_viewers(lanes, ground->sorted, s, &viewers);
-    seek_far(geometry, lanes, ground, &viewers);
+    struct far_batch batch;
+    begin_far_batch(lanes, scene->sorted, s, &batch);
+    batch.counts = counts;
+    search_from_outside(geometry, lanes, scene, &batch);
     for (uint32_t lane = 0; lane < lanes; lane++) {
-        furthest[lane] = (uint32_t)viewers.furthest[lane];
-        furthest2[lane] = viewers.most2[lane];
+        found[lane].distance2 = batch.max2[lane];
+        found[lane].index = (uint32_t)batch.furthest[lane];
     }
 }
-//<
 
-//> Seek for some of the sorted points
-INLINED void seek_for_some(const enum geometry geometry,
-                           const struct ground *ground,
-                           enum manner manner, uint32_t begin,
-                           uint32_t end, struct answers *found)
+void furthest_of_one(const struct far_scene *scene, uint32_t s,
+                     struct neighbor *found, struct counts *counts)
 {
-    uint32_t *furthest = found->furthest;
-    double *furthest2 = found->furthest2;
-    for (uint32_t s = begin, k = 0; s < end; s = begin + k) {
-        if (manner == TOGETHER &&
-            stand_together(ground->sorted, s, end)) {
-            seek_for(geometry, ABREAST, ground, s, furthest + k,
-                     furthest2 + k);
-            k += ABREAST;
-        } else {
-            seek_for(geometry, 1, ground, s, furthest + k,
-                     furthest2 + k);
-            k++;
-        }
-    }
-}
-//<
-
-//> Seek by all threads
-static void take_turn(const struct ground *ground, enum manner manner,
-                      uint32_t begin, uint32_t end,
-                      struct answers *found)
-{
-    if (ground->space.geometry == STANDARD)
-        seek_for_some(STANDARD, ground, manner, begin, end, found);
+    if (scene->space.geometry == STANDARD)
+        search_lanes(STANDARD, 1, scene, s, found, counts);
     else
-        seek_for_some(WRAPAROUND, ground, manner, begin, end, found);
+        search_lanes(WRAPAROUND, 1, scene, s, found, counts);
 }
 
-// In turns, whose answers go back as the points came.
-void search_furthest_cells(const struct question *question,
-                           const struct carried *carried,
-                           enum manner manner, struct answers *answers)
+static void furthest_of_eight(const struct far_scene *scene, uint32_t s,
+                              struct neighbor *found,
+                              struct counts *counts)
 {
-    enum { TURN = 1024 };
-    const uint32_t n = question->points.n, turns = (n - 1) / TURN + 1;
-    struct rows rows = rows_find(&carried->sorted);
-    const struct ground ground = {&carried->sorted, &rows,
-                                  question->space};
-    struct findings findings = findings_for(
-        &(struct answers){.furthest = answers->furthest}, n);
-#pragma omp parallel for num_threads(question->threads) \
-    schedule(dynamic)
-    for (uint32_t turn = 0; turn < turns; turn++) {
-        uint32_t furthest[TURN];
-        double furthest2[TURN];
-        struct answers found = {.furthest = furthest,
-                                .furthest2 = furthest2};
-        uint32_t begin = turn * TURN, left = n - begin;
-        uint32_t end = begin + (left < TURN ? left : TURN);
-        take_turn(&ground, manner, begin, end, &found);
-        findings_pack(carried, begin, end, &found, &findings);
-    }
-    findings_send_back(carried, &findings, question->threads, answers);
-    findings_free(&findings);
-    rows_free(&rows);
+    if (scene->space.geometry == STANDARD)
+        search_lanes(STANDARD, FAR_BATCH, scene, s, found, counts);
+    else
+        search_lanes(WRAPAROUND, FAR_BATCH, scene, s, found, counts);
 }
+//<
+
+//> Search a chunk from outside
+struct far_search {
+    struct far_scene scene;
+    const uint32_t *inverse;
+    struct neighbor *results;
+};
+
+static void search_chunk(const void *context, uint32_t begin,
+                         uint32_t end, struct counts *counts)
+{
+    const struct far_search *search = context;
+    const struct far_scene *scene = &search->scene;
+    struct neighbor found[FAR_BATCH];
+    for (uint32_t s = begin, lanes; s < end; s += lanes) {
+        lanes = stand_together(scene->sorted, s, end) ? FAR_BATCH : 1;
+        if (lanes > 1)
+            furthest_of_eight(scene, s, found, counts);
+        else
+            furthest_of_one(scene, s, found, counts);
+        for (uint32_t lane = 0; lane < lanes; lane++)
+            search->results[search->inverse[s + lane]] = found[lane];
+    }
+}
+
+void search_furthest_cells(const struct question *question,
+                           const struct partition *partition,
+                           struct workspace *workspace,
+                           struct answers *answers)
+{
+    assert(partition->inverse && "order can be restored");
+    const uint32_t n = question->points.n;
+    const struct sorted *sorted = &partition->sorted;
+    struct mark mark = workspace_mark(workspace);
+    struct neighbor *results =
+        workspace_take(workspace, n, sizeof *results);
+    const struct rows rows = rows_find(sorted, workspace);
+    const struct far_search search = {
+        {sorted, &rows, question->space}, partition->inverse, results};
+    share_chunks(question, search_chunk, &search);
+    restore_order(results, partition->permutation, n, question->threads,
+                  answers->furthest, answers->furthest2);
+    workspace_release(workspace, mark);
+}
+//<
 
 void furthest_cells(const struct question *question,
                     struct answers *answers)
 {
-    struct carried carried =
-        carry_points(question, POINTS_PER_FAR_CELL);
+    struct workspace own = {0};
+    struct workspace *workspace =
+        question->workspace ? question->workspace : &own;
+    struct mark mark = workspace_mark(workspace);
+    struct partition partition = partition_make(
+        question, POINTS_PER_FAR_CELL, RESTORE, workspace);
     answers->built_ns = clock_ns();
-    search_furthest_cells(question, &carried, TOGETHER, answers);
-    carried_free(&carried);
+    search_furthest_cells(question, &partition, workspace, answers);
+    workspace_release(workspace, mark);
+    workspace_free(&own);
 }
-//<
 //<

@@ -1,6 +1,6 @@
 //> Declare the search among the corners
-// Everybody asks all corners of the hull: n times as many distances as
-// there are corners, n^2 on a circle.
+// Every query is compared with all corners of the hull: n times as many
+// distances as there are corners, n^2 on a circle.
 #pragma once
 #include "ch10-furthest/hull.h"
 

@@ -1,17 +1,24 @@
 //> Find the corners of the hull
-// See hull.h.
+// What an octagon leaves over is sorted from left to right; a chain
+// turns left below it and right above it (Andrew 1979). What lies well
+// inside of both, by more than distances are rounded, is left out: no
+// exact predicate decides. n log n steps, n the points left over.
 #include "ch10-furthest/hull.h"
-#include "ch04-cell-sort/block.h"
 #include "ch10-furthest/octagon.h"
+#include "common/allocate.h"
 #include "common/fail.h"
+#include "common/min_max.h"
+#include <stdbool.h>
 #include <stdlib.h>
 
 static const double MISS = 0x1p-48;
 
+//> Hold a candidate for a corner
 struct candidate {
     double x, y;
     uint32_t point;
 };
+//<
 
 //> Sort the candidates
 // From left to right, of the same x from below; of several in the same
@@ -38,15 +45,19 @@ static uint32_t sort_candidates(struct candidate *candidate, uint32_t n)
 }
 //<
 
-//> Chain those below, or above
-// From the leftmost to the rightmost, turning left all the way if sign
-// is 1, right if it is -1. Writes the corners, and returns how many.
+//> Say which way three points turn
+// Left if it is positive, right if it is negative.
 static double turn(struct candidate a, struct candidate b,
                    struct candidate c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+//<
+
+//> Chain those below, or above
+// From the leftmost to the rightmost, turning left all the way if sign
+// is 1, right if it is -1. Writes the corners, and returns how many.
 static uint32_t chain_up(const struct candidate *candidate, uint32_t n,
                          double sign, struct candidate *corner)
 {
@@ -87,7 +98,7 @@ static struct foot foot_on(struct candidate a, struct candidate b,
 // least the last sum, the surplus of p. Squared distances are computed
 // with errors below 2^-50 D^2, where D is the diagonal of the box of
 // all points. So if the surplus is more than 2^-49 D^2, that v is
-// further as computed, too, and p is nobody's furthest. A mean that we
+// further as computed, too, and p is never the furthest. A mean that we
 // compute may miss p by 2^-47 D: then 2^-45 D^2 is enough. All this
 // where D^2 neither vanishes nor overflows.
 //
@@ -98,7 +109,7 @@ static bool can_be_left_out(struct foot low, struct foot high,
 {
     double miss = MISS * sqrt(diagonal2);
     double gap = high.rise - low.rise;
-    double w = gap > 0 ? least(1, most(0, -low.rise / gap)) : 0;
+    double w = gap > 0 ? MIN(1, MAX(0, -low.rise / gap)) : 0;
     return low.rise <= miss && high.rise >= -miss &&
            (1 - w) * low.surplus + w * high.surplus +
                    w * (1 - w) * gap * gap >
@@ -168,10 +179,10 @@ static struct corners corners_from(struct candidate *candidate,
 //<
 
 //> Find the corners
-// If all squared distances vanish, everybody's furthest is the first
-// point, whose own is the second: search_corners begins with that, and
-// one corner is enough.
-struct corners corners_among(struct points p, const uint32_t *who,
+// If all squared distances vanish, the furthest of every point is the
+// first, and of the first the second: search_corners begins with that,
+// and one corner is enough.
+struct corners corners_among(struct points p, const uint32_t *index,
                              int threads)
 {
     const struct sides sides = octagon_sides(p, threads);
@@ -185,7 +196,7 @@ struct corners corners_among(struct points p, const uint32_t *who,
     for (uint32_t k = 0; k < count; k++) {
         uint32_t i = trusted ? kept[k] : k;
         candidate[k] =
-            (struct candidate){p.x[i], p.y[i], who ? who[i] : i};
+            (struct candidate){p.x[i], p.y[i], index ? index[i] : i};
     }
     if (trusted)
         count = keep_corners(candidate, count, diagonal2);

@@ -1,8 +1,11 @@
 //> Throw away what an octagon encloses
-// See octagon.h.
+// The furthest points in eight directions, an eighth of a turn apart,
+// are the corners of an octagon (Akl and Toussaint 1978 take four). A
+// first pass over the points finds them, by stretches that vectors can
+// go through; a second one keeps what is not well inside.
 #include "ch10-furthest/octagon.h"
 #include "ch02-all-pairs/pair.h"
-#include "ch05-collisions/home.h"
+#include "common/chunk.h"
 #include "common/fail.h"
 #include <math.h>
 #include <stdlib.h>
@@ -47,18 +50,18 @@ INLINED void note_points(const uint32_t lanes, struct points p,
                          struct octagon *octagon)
 {
     for (int axis = 0; axis < AXES; axis++) {
-        double most[LANES], least[LANES];
+        double max[LANES], min[LANES];
         for (uint32_t lane = 0; lane < lanes; lane++)
-            most[lane] = -INFINITY, least[lane] = INFINITY;
+            max[lane] = -INFINITY, min[lane] = INFINITY;
         for (uint32_t i = begin; i < end; i += lanes)
             for (uint32_t lane = 0; lane < lanes; lane++) {
                 double out = along(axis, p.x[i + lane], p.y[i + lane]);
-                most[lane] = out > most[lane] ? out : most[lane];
-                least[lane] = out < least[lane] ? out : least[lane];
+                max[lane] = out > max[lane] ? out : max[lane];
+                min[lane] = out < min[lane] ? out : min[lane];
             }
         for (uint32_t lane = 0; lane < lanes; lane++) {
-            note_extreme(octagon, axis, most[lane], stretch);
-            note_extreme(octagon, AXES + axis, -least[lane], stretch);
+            note_extreme(octagon, axis, max[lane], stretch);
+            note_extreme(octagon, AXES + axis, -min[lane], stretch);
         }
     }
 }
@@ -120,7 +123,9 @@ static struct octagon octagon_find(struct points p, int threads)
 //<
 
 //> Find the sides
-// No side between two that are the same point.
+// No side between two that are the same point. The margin is a length,
+// as a share of the box's width and height: its square is 2^-42 of
+// theirs, more than the surplus that is asked for (hull.h).
 static const double MARGIN = 0x1p-21;
 
 struct sides octagon_sides(struct points points, int threads)
@@ -148,7 +153,7 @@ struct sides octagon_sides(struct points points, int threads)
 //<
 
 //> Throw away what is inside the octagon
-// Writes who is left to kept, and returns how many.
+// Writes what is left to kept, and returns how many.
 static uint32_t keep_outside(struct points p, uint32_t begin,
                              uint32_t end, const struct sides *given,
                              uint32_t *kept)
@@ -158,13 +163,13 @@ static uint32_t keep_outside(struct points p, uint32_t begin,
     uint32_t count = 0;
     for (uint32_t i = begin; i < end; i++) {
         double x = p.x[i] - sides.left, y = p.y[i] - sides.bottom;
-        double least = INFINITY;
+        double min = INFINITY;
 #pragma GCC unroll 8
         for (int e = 0; e < EXTREMES; e++) {
             double deep = sides.a[e] * x + sides.b[e] * y - sides.c[e];
-            least = deep < least ? deep : least;
+            min = deep < min ? deep : min;
         }
-        depth[i - begin] = least;
+        depth[i - begin] = min;
     }
     for (uint32_t i = begin; i < end; i++) {
         kept[count] = i;
@@ -182,15 +187,15 @@ uint32_t octagon_outside(struct points p, const struct sides *sides,
     uint32_t *count = allocate(threads, sizeof *count), total = 0;
 #pragma omp parallel for num_threads(threads)
     for (int k = 0; k < threads; k++) {
-        uint32_t begin = share_begin(p.n, k, threads), next = begin;
-        uint32_t end = share_begin(p.n, k + 1, threads);
+        uint32_t begin = chunk_begin(p.n, k, threads), next = begin;
+        uint32_t end = chunk_begin(p.n, k + 1, threads);
         for (uint64_t i = begin; i < end; i += STRETCH)
             next += keep_outside(p, i, stretch_end(end, i), sides,
                                  kept + next);
         count[k] = next - begin;
     }
     for (int k = 0; k < threads; k++) {
-        uint32_t begin = share_begin(p.n, k, threads);
+        uint32_t begin = chunk_begin(p.n, k, threads);
         for (uint32_t i = 0; i < count[k]; i++)
             kept[total++] = kept[begin + i];
     }

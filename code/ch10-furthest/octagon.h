@@ -22,9 +22,9 @@ struct sides {
 // diagonal2 is that of their box, squared.
 struct sides octagon_sides(struct points points, int threads);
 
-// Who is outside, or not deeper inside than the margin: writes them to
-// kept, which has room for all, in ascending order, and returns how
-// many.
+// The points that are outside, or not deeper inside than the margin:
+// writes their indices to kept, which has room for all, in ascending
+// order, and returns how many.
 uint32_t octagon_outside(struct points points,
                          const struct sides *sides, int threads,
                          uint32_t *kept);

@@ -1,10 +1,10 @@
-//> Seek from outside
-// See furthest_cells.h. Nothing is lost to rounding: differences,
-// squares and sums are rounded, but rounding keeps order, so that what
-// is computed with the borders of a cell bounds what is computed with
-// a point in it.
+//> Search from outside
+// The search of furthest_cells.h, for each geometry, for eight lanes or
+// one. Nothing is lost to rounding, which keeps order: what is computed
+// with the borders of a cell bounds what is with a point in it.
 #pragma once
-#include "ch10-furthest/viewer.h"
+#include "ch10-furthest/far_batch.h"
+#include "common/workspace.h"
 
 //> List the rows that have points
 struct rows {
@@ -12,45 +12,40 @@ struct rows {
     uint32_t *place;      // of a row in this list, if it is there
 };
 
-// Released with rows_free.
-struct rows rows_find(const struct sorted *sorted);
-void rows_free(struct rows *rows);
+// Their arrays are taken from the workspace.
+struct rows rows_find(const struct sorted *sorted,
+                      struct workspace *workspace);
 //<
-
-// What a search looks at.
-struct ground {
-    const struct sorted *sorted;
-    const struct rows *rows;
-    struct space space;
-};
 
 //> Bound the separation from a cell
 // Between x and whatever lies in cell k of the axis. With wraparound a
 // separation d counts as the period less d, if that is more.
-INLINED double far_in(const enum geometry geometry,
-                      const struct axis *axis, uint32_t k, double x)
+INLINED double max_separation(const enum geometry geometry,
+                              const struct axis *axis, uint32_t k,
+                              double x)
 {
     double below = x - axis->border[k], above = axis->border[k + 1] - x;
-    double far = most(below, above);
+    double far = MAX(below, above);
     if (geometry == STANDARD)
         return far;
-    double apart = most(0, -least(below, above));
-    return most(far, axis->period - apart);
+    double apart = MAX(0, -MIN(below, above));
+    return MAX(far, axis->period - apart);
 }
 //<
 
 //> Bound the separation from all cells of an axis
-// Squared, for all who look.
-INLINED void far_along(const enum geometry geometry,
-                       const uint32_t lanes, const struct axis *axis,
-                       const double *x, double *far2)
+// Squared, for every lane.
+INLINED void max_separations2(const enum geometry geometry,
+                              const uint32_t lanes,
+                              const struct axis *axis, const double *x,
+                              double *far2)
 {
     const double low = axis->border[0];
     const double high = axis->border[axis->count];
     for (uint32_t lane = 0; lane < lanes; lane++) {
-        double far = most(x[lane] - low, high - x[lane]);
+        double far = MAX(x[lane] - low, high - x[lane]);
         if (geometry == WRAPAROUND)
-            far = most(far, axis->period);
+            far = MAX(far, axis->period);
         far2[lane] = far * far;
     }
 }
@@ -58,19 +53,22 @@ INLINED void far_along(const enum geometry geometry,
 
 //> Hold what is left of a ring
 // Of the places begin .. end - 1, in a ring, those from first to last.
-// With wraparound it begins with home, where those who look are.
+// With wraparound it begins with the places of the queries' own cells.
 struct arc {
     uint32_t begin, end, first, last, left;
-    uint32_t others; // who are not at home
+    uint32_t others; // that are not in the own cells
 };
 
+//<
+
+//> Shorten an arc
 INLINED struct arc arc_from(uint32_t begin, uint32_t end,
-                            uint32_t first, uint32_t home)
+                            uint32_t first, uint32_t own)
 {
     first = first < end ? first : begin;
     uint32_t last = first == begin ? end - 1 : first - 1;
     uint32_t all = end - begin;
-    return (struct arc){begin, end, first, last, all, all - home};
+    return (struct arc){begin, end, first, last, all, all - own};
 }
 
 // So many places fewer, at the front or at the back.
@@ -87,67 +85,78 @@ INLINED void arc_shorten(struct arc *arc, bool front, uint32_t by)
 }
 //<
 
-//> Hold an outlook
-// What stays the same along an arc: where on the axis those who look
-// are, how far it is at most on the other one, and how far the two
-// sides of the seam are.
-struct outlook {
+//> Bound what is along an axis
+// What stays the same along an arc: where on the axis the queries are,
+// how far the arc's points are at most on the other one, squared, and
+// how far the two sides of the seam are.
+struct axis_bounds {
     const struct axis *axis;
-    const double *x, *beside2;
-    double seam[ABREAST];
+    const double *x, *other2;
+    double seam[FAR_BATCH];
 };
 
-INLINED void see_seam(const enum geometry geometry,
-                      const uint32_t lanes, uint32_t low, uint32_t high,
-                      struct outlook *outlook)
+//<
+
+//> Bound the seam
+INLINED void bound_seam(const enum geometry geometry,
+                        const uint32_t lanes, uint32_t low,
+                        uint32_t high, struct axis_bounds *bounds)
 {
-    const struct axis *axis = outlook->axis;
-    for (uint32_t lane = 0; lane < lanes; lane++)
-        outlook->seam[lane] =
-            most(far_in(geometry, axis, low, outlook->x[lane]),
-                 far_in(geometry, axis, high, outlook->x[lane]));
+    const struct axis *axis = bounds->axis;
+    const double *x = bounds->x;
+    for (uint32_t lane = 0; lane < lanes; lane++) {
+        double one = max_separation(geometry, axis, low, x[lane]);
+        double other = max_separation(geometry, axis, high, x[lane]);
+        bounds->seam[lane] = MAX(one, other);
+    }
 }
 //<
 
-//> Find the further end
-// How far things on the arc can be, whose ends lie in these two cells
-// of the axis. If it still goes over the seam, where rounding may
-// differ, its two sides have a say. As long as home is on it, home
-// comes first, and anything can be there. Else whoever stands in the
-// middle says which end is further. Filled in where they are: so many
-// doubles are not to be copied.
+//> Hold the ends of an arc
+// In which cells of the axis they lie, and how far a point there can
+// be. Filled in where it is: so many doubles are not to be copied.
 struct ends {
-    bool front, done; // which is further; nobody gains
-    double front2[ABREAST], back2[ABREAST]; // how far, squared
+    uint32_t one, other;
+    bool front, done; // which is further; no lane can improve
+    double front2[FAR_BATCH], back2[FAR_BATCH]; // how far, squared
 };
 
+//<
+
+//> Find the further end
+// The bound for the whole arc is the larger of its two ends'. If it
+// still goes over the seam, where rounding may differ, the bounds of
+// both sides of the seam count, too. As long as the own cells are on
+// it, they come first, and any distance is possible there. Else the
+// lane in the middle says which end is further.
 INLINED void find_ends(const enum geometry geometry,
-                       const uint32_t lanes, uint32_t one,
-                       uint32_t other, const struct arc *arc,
-                       const struct outlook *outlook,
-                       const struct viewers *viewers, struct ends *ends)
+                       const uint32_t lanes, const struct arc *arc,
+                       const struct axis_bounds *bounds,
+                       const struct far_batch *batch, struct ends *ends)
 {
-    const struct axis *axis = outlook->axis;
+    const struct axis *axis = bounds->axis;
+    const double *x = bounds->x;
     const bool round = arc->last < arc->first;
-    const bool home = arc->left > arc->others;
+    const bool own = arc->left > arc->others;
     uint32_t some = 0;
 #pragma omp simd reduction(| : some)
     for (uint32_t lane = 0; lane < lanes; lane++) {
-        double far = far_in(geometry, axis, one, outlook->x[lane]);
-        double there = far_in(geometry, axis, other, outlook->x[lane]);
-        double rest = most(far, there);
+        double far = max_separation(geometry, axis, ends->one, x[lane]);
+        double there =
+            max_separation(geometry, axis, ends->other, x[lane]);
+        double rest = MAX(far, there);
         if (geometry == WRAPAROUND && round)
-            rest = most(rest, outlook->seam[lane]);
-        if (geometry == WRAPAROUND && home)
-            rest = most(rest, axis->period);
-        some |= !(rest * rest + outlook->beside2[lane] <
-                  viewers->most2[lane]);
+            rest = MAX(rest, bounds->seam[lane]);
+        if (geometry == WRAPAROUND && own)
+            rest = MAX(rest, axis->period);
+        some |=
+            !(rest * rest + bounds->other2[lane] < batch->max2[lane]);
         ends->front2[lane] = far * far;
         ends->back2[lane] = there * there;
     }
     const uint32_t middle = lanes / 2;
     ends->done = !some;
-    ends->front = home || ends->front2[middle] >= ends->back2[middle];
+    ends->front = own || ends->front2[middle] >= ends->back2[middle];
 }
 
 INLINED const double *far_end2(const struct ends *ends)
@@ -157,18 +166,18 @@ INLINED const double *far_end2(const struct ends *ends)
 //<
 
 //> Lay out all rows, or one
-// With wraparound the ring, cut open before the first of those who
-// look. They are in one row, and in a row anywhere, but in order.
+// With wraparound the ring, cut open before the first of the queries.
+// They are in one row, and in a row anywhere, but in order.
 INLINED struct arc lay_out_rows(const enum geometry geometry,
                                 const uint32_t lanes,
                                 const struct rows *rows,
-                                struct outlook *outlook)
+                                struct axis_bounds *bounds)
 {
     if (geometry == STANDARD)
         return arc_from(0, rows->count, 0, 0);
-    see_seam(geometry, lanes, rows->row[0], rows->row[rows->count - 1],
-             outlook);
-    uint32_t own = axis_cell(outlook->axis, outlook->x[0]);
+    bound_seam(geometry, lanes, rows->row[0],
+               rows->row[rows->count - 1], bounds);
+    uint32_t own = axis_cell(bounds->axis, bounds->x[0]);
     return arc_from(0, rows->count, rows->place[own], 1);
 }
 
@@ -176,73 +185,73 @@ INLINED struct arc lay_out_row(const enum geometry geometry,
                                const uint32_t lanes,
                                const struct points points,
                                const uint32_t *start,
-                               struct outlook *outlook)
+                               struct axis_bounds *bounds)
 {
-    const struct axis *axis = outlook->axis;
+    const struct axis *axis = bounds->axis;
     const uint32_t begin = start[0], end = start[axis->count];
     if (geometry == STANDARD)
         return arc_from(begin, end, begin, 0);
-    see_seam(geometry, lanes, axis_cell(axis, points.x[begin]),
-             axis_cell(axis, points.x[end - 1]), outlook);
-    uint32_t first = start[axis_cell(axis, outlook->x[0])];
-    uint32_t next = start[axis_cell(axis, outlook->x[lanes - 1]) + 1];
+    bound_seam(geometry, lanes, axis_cell(axis, points.x[begin]),
+               axis_cell(axis, points.x[end - 1]), bounds);
+    uint32_t first = start[axis_cell(axis, bounds->x[0])];
+    uint32_t next = start[axis_cell(axis, bounds->x[lanes - 1]) + 1];
     return arc_from(begin, end, first, next - first);
 }
 //<
 
-//> Seek in a row
+//> Search a row
 // Cells from both ends of what is left of the row, that first which may
-// have somebody further. Up2 is how far the row is.
-INLINED void seek_in_row(const enum geometry geometry,
-                         const uint32_t lanes,
-                         const struct ground *ground, uint32_t row,
-                         const double *up2, struct viewers *viewers)
+// have a point further away. Up2 is how far the row is.
+INLINED void search_row(const enum geometry geometry,
+                        const uint32_t lanes,
+                        const struct far_scene *scene, uint32_t row,
+                        const double *up2, struct far_batch *batch)
 {
-    const struct sorted *sorted = ground->sorted;
+    const struct sorted *sorted = scene->sorted;
     const struct axis *axis = &sorted->grid.x;
     const double *x = sorted->points.x;
     const uint32_t base = row * axis->count;
     const uint32_t *start = sorted->cells.start + base;
-    struct outlook outlook = {axis, viewers->x, up2, {0}};
+    struct axis_bounds bounds = {axis, batch->x, up2, {0}};
     struct arc arc =
-        lay_out_row(geometry, lanes, sorted->points, start, &outlook);
+        lay_out_row(geometry, lanes, sorted->points, start, &bounds);
     while (arc.left > 0) {
-        uint32_t one = axis_cell(axis, x[arc.first]);
-        uint32_t other = axis_cell(axis, x[arc.last]);
         struct ends ends;
-        find_ends(geometry, lanes, one, other, &arc, &outlook, viewers,
-                  &ends);
+        ends.one = axis_cell(axis, x[arc.first]);
+        ends.other = axis_cell(axis, x[arc.last]);
+        find_ends(geometry, lanes, &arc, &bounds, batch, &ends);
         if (ends.done)
             break;
-        uint32_t k = ends.front ? one : other;
-        look_at(geometry, lanes, ground->space, sorted, base + k,
-                far_end2(&ends), up2, viewers);
+        uint32_t k = ends.front ? ends.one : ends.other;
+        struct far_bounds far = {far_end2(&ends), up2};
+        compare_cell(geometry, lanes, scene, base + k, &far, batch);
         arc_shorten(&arc, ends.front, start[k + 1] - start[k]);
     }
 }
 //<
 
-//> Seek from the outermost row inward
-INLINED void seek_far(const enum geometry geometry,
-                      const uint32_t lanes, const struct ground *ground,
-                      struct viewers *viewers)
+//> Search from the outermost row inward
+INLINED void search_from_outside(const enum geometry geometry,
+                                 const uint32_t lanes,
+                                 const struct far_scene *scene,
+                                 struct far_batch *batch)
 {
-    const struct grid *grid = &ground->sorted->grid;
-    const uint32_t *row = ground->rows->row;
-    double far2[ABREAST];
-    far_along(geometry, lanes, &grid->x, viewers->x, far2);
-    struct outlook outlook = {&grid->y, viewers->y, far2, {0}};
+    const struct grid *grid = &scene->sorted->grid;
+    const uint32_t *row = scene->rows->row;
+    double far2[FAR_BATCH];
+    max_separations2(geometry, lanes, &grid->x, batch->x, far2);
+    struct axis_bounds bounds = {&grid->y, batch->y, far2, {0}};
     struct arc arc =
-        lay_out_rows(geometry, lanes, ground->rows, &outlook);
+        lay_out_rows(geometry, lanes, scene->rows, &bounds);
     while (arc.left > 0) {
-        uint32_t one = row[arc.first], other = row[arc.last];
         struct ends ends;
-        find_ends(geometry, lanes, one, other, &arc, &outlook, viewers,
-                  &ends);
+        ends.one = row[arc.first], ends.other = row[arc.last];
+        find_ends(geometry, lanes, &arc, &bounds, batch, &ends);
         if (ends.done)
             break;
-        seek_in_row(geometry, lanes, ground, ends.front ? one : other,
-                    far_end2(&ends), viewers);
+        search_row(geometry, lanes, scene,
+                   ends.front ? ends.one : ends.other, far_end2(&ends),
+                   batch);
         arc_shorten(&arc, ends.front, 1);
     }
 }

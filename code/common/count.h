@@ -1,7 +1,8 @@
 //> Count what is done
-// Operation counts that vanish in the ordinary build. Every module is
-// compiled twice; with -DCOUNTING the macro adds to a shared counter,
-// safely from any thread. Add once per row, not once per pair.
+// Operation counts, the one measurement that no other program can
+// disturb. A thread keeps counts of its own and adds to them once a row
+// or a span, never once a pair; what it has counted it adds to the
+// question's counts, if there are any, once a chunk of its work.
 #pragma once
 #include <stdint.h>
 
@@ -9,15 +10,7 @@ struct counts {
     uint64_t distances, cells, tasks, collisions;
 };
 
-// What was counted since the last call. It exists in the counting twin
-// only and is called through count_operations.
-struct counts counting_take(void);
-
-#ifdef COUNTING
-void count_add(uint64_t *counter, uint64_t amount);
-extern struct counts counts;
-#define COUNT(what, amount) count_add(&counts.what, amount)
-#else
-#define COUNT(what, amount) ((void)0)
-#endif
+// Adds what one thread has counted to a total that all threads share.
+// If the total is NULL, counts are not wanted, and nothing is done.
+void counts_add(struct counts *total, const struct counts *mine);
 //<

@@ -2,7 +2,7 @@
 // A user's mistake, or a machine without memory, ends the program
 // here: one clear sentence on stderr, exit status 2.
 #pragma once
-#include <stddef.h>
+#include "common/allocate.h"
 
 // Prints "PROGRAM: " and the sentence, and ends the program by exit, so
 // that what atexit knows of is cleaned up.
@@ -12,9 +12,4 @@ _Noreturn void fail(const char *format, ...)
 // Called once by main. From then on the program also fails at its end
 // if its standard output could not be written.
 void fail_as(const char *program);
-
-// Memory for count elements of size bytes each, 64-byte aligned, not
-// cleared; never NULL. Released with free(). From 2 MB on, in whole
-// large pages where the system has them.
-void *allocate(size_t count, size_t size);
 //<

@@ -5,6 +5,9 @@
 #pragma once
 #include <stdint.h>
 
+// In place of an index: none.
+#define NO_INDEX UINT32_MAX
+
 struct points {
     uint32_t n; // how many
     double *x;  // x[0 .. n-1]

@@ -1,13 +1,18 @@
 //> State the question and its answers
 // What every algorithm of the book is asked, and where it answers.
 #pragma once
+#include "common/count.h"
 #include "common/geometry.h"
 #include "common/points.h"
 
+struct workspace;
+
 struct question {
-    struct points points; // n >= 2, all coordinates finite
-    struct space space;   // wraparound: the box holds all points
-    int threads;          // >= 1
+    struct points points;  // n >= 2, all coordinates finite
+    struct space space;    // wraparound: the box holds all points
+    int threads;           // >= 1
+    struct counts *counts; // what is done is added; NULL: not wanted
+    struct workspace *workspace; // the caller's; NULL: a temporary one
 };
 
 // Arrays of n, owned by the caller; those of an answer that the

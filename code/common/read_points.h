@@ -1,12 +1,13 @@
-//> Declare the reader of files
 // Points from a text file: a table of numbers, or TSPLIB.
 //
-// A table has a point a line, its numbers separated by semicolons, or
-// else by commas, or else by spaces and tabs, however many. What
-// follows a '#' is a comment, empty lines do not count, and the first
-// line may be a header of words. A table of more than two columns needs
-// to be told which two. TSPLIB files are known by their first line,
-// "KEYWORD : VALUE"; their NODE_COORD_SECTION must hold as many points
+// A table has a point a line, its fields separated by semicolons, or
+// else by commas, or else by single tabs, or else by spaces, however
+// many: by what the first line has. What follows a '#' is a comment,
+// what stands in double quotes separates nothing, empty lines do not
+// count, and the first line may be a header of words. A table of more
+// than two columns needs to be told which two, and all its lines have
+// as many fields as the first. TSPLIB files are known by the keyword of
+// their first line; their NODE_COORD_SECTION must hold as many points
 // as DIMENSION says.
 #pragma once
 #include "common/points.h"
@@ -17,9 +18,8 @@ struct columns {
     int x, y;
 };
 
-// The points of the file of this name, or of standard input for "-".
-// All coordinates are finite; there is at least one point. The caller
-// releases them with points_free. Fails with the name of the file, the
-// line, and what was found there.
+// The points of the file of this name, or of standard input for "-": at
+// least one, all coordinates finite, and 0 only where 0 is written. The
+// caller releases them with points_free. Fails with the name of the
+// file, the line, and what was found there.
 struct points read_points(const char *name, struct columns columns);
-//<

@@ -9,7 +9,7 @@
 // times as many for few points, and fewer where a program would be at
 // it for more than so many SECONDS.
 #include "algorithms.h"
-#include "common/argument.h"
+#include "common/experiment.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "common/report.h"
@@ -128,12 +128,10 @@ static void compete_for(uint32_t n, const struct rules *rules,
 
 int main(int argc, char **argv)
 {
-    fail_as("compare");
-    uint32_t largest =
-        argument(argc, argv, 1, "LARGEST", 10000, FEWEST, MANY);
-    int trials =
-        argument(argc, argv, 2, "TRIALS", 3, 1, MOST_TRIALS / 3);
-    double seconds = argument(argc, argv, 3, "SECONDS", 2, 1, MANY);
+    struct experiment e = experiment_begin(argc, argv);
+    uint32_t largest = parameter(&e, "LARGEST", 10000, FEWEST, MANY);
+    int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS / 3);
+    double seconds = parameter(&e, "SECONDS", 2, 1, MANY);
     static struct program programs[PROGRAMS];
     static struct memory memory[ORDERS][PROGRAMS];
     list(programs);

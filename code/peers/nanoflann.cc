@@ -29,7 +29,7 @@ struct cloud {
 };
 
 //> Receive every point but one
-struct neighbor {
+struct receiver {
     uint32_t self, nearest;
     double best2 = std::numeric_limits<double>::infinity();
 
@@ -77,7 +77,7 @@ void query(void *made, int threads, uint32_t *nearest, double *nearest2)
     const built &here = *static_cast<built *>(made);
 #pragma omp parallel for num_threads(threads)
     for (uint32_t i = 0; i < here.points.n; i++) {
-        neighbor best = {i, i};
+        receiver best = {i, i};
         here.index.findNeighbors(best, here.points.point[i], {});
         nearest[i] = best.nearest;
         nearest2[i] = best.best2;

@@ -294,8 +294,27 @@ static void put_pair(FILE *file, struct points points,
                     points.y[pair[k]]);
 }
 
+// Where there are no cells, a line of no length.
+static void put_borders(FILE *file, const struct kit_cells *cells,
+                        struct points points)
+{
+    const double *x = cells->column_border, *y = cells->row_border;
+    fprintf(file, "\n\n");
+    if (!x || !y) {
+        fprintf(file, "%.17g\t%.17g\n", points.x[0], points.y[0]);
+        return;
+    }
+    for (uint32_t k = 0; k <= cells->columns; k++)
+        fprintf(file, "%.17g\t%.17g\n%.17g\t%.17g\n\n", x[k], y[0],
+                x[k], y[cells->rows]);
+    for (uint32_t k = 0; k <= cells->rows; k++)
+        fprintf(file, "%.17g\t%.17g\n%.17g\t%.17g\n\n", x[0], y[k],
+                x[cells->columns], y[k]);
+}
+
 // The first that can be drawn is drawn.
-static void draw(const struct kit_picture *picture)
+static void draw(const struct kit_picture *picture,
+                 const struct kit_cells *cells)
 {
     struct points points = picture->points;
     FILE *file = grader.picture && points.n > 0
@@ -307,6 +326,7 @@ static void draw(const struct kit_picture *picture)
         fprintf(file, "%.17g\t%.17g\n", points.x[i], points.y[i]);
     put_pair(file, points, picture->found);
     put_pair(file, points, picture->right);
+    put_borders(file, cells, points);
     fclose(file);
     grader.picture = NULL;
 }
@@ -314,7 +334,7 @@ static void draw(const struct kit_picture *picture)
 _Noreturn void kit_wrong(struct kit_fault fault)
 {
     grader.fault = fault;
-    draw(&fault.picture);
+    draw(&fault.picture, &fault.cells);
     end_test("wrong");
 }
 

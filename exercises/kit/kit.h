@@ -61,6 +61,13 @@ struct kit_picture {
     uint32_t found[2], right[2];
 };
 
+// The cells to draw behind it, if there are any.
+struct kit_cells {
+    uint32_t columns, rows;
+    const double *column_border; // [0 .. columns]
+    const double *row_border;    // [0 .. rows]
+};
+
 // The test has failed and ends here. What does not apply stays NULL.
 struct kit_fault {
     const char *where;    // which point, where it lies
@@ -69,6 +76,7 @@ struct kit_fault {
     const char *cause;    // the likely one, in a sentence
     int points;           // what is earned all the same
     struct kit_picture picture;
+    struct kit_cells cells;
 };
 #define WRONG(...) kit_wrong((struct kit_fault){__VA_ARGS__})
 _Noreturn void kit_wrong(struct kit_fault fault);

@@ -57,11 +57,12 @@ void good_tables_are_read(void)
         "1 2.5\n-3e2 .1\n",
         "1 2.5\n-3e2 .1",
         "1 2.5\r\n-3e2 .1\r\n",
-        "1\t2.5\n-3e2\t\t.1\n",
+        "1\t2.5\n-3e2\t.1\n",
         "1,2.5\n-3e2,.1\n",
         "1, 2.5\n-3e2 , .1 \n",
         "1;2.5\n-3e2; .1\n",
-        " 1 \t 2.5 \n\n\t\n  -3e2    .1\n\n",
+        " 1 \t 2.5 \n\n\t\n  -3e2 \t   .1\n\n",
+        " 1   2.5 \n\n\t\n\t-3e2 \t   .1\n\n",
         "# a comment\n1 2.5 # and another\n#\n-3e2 .1\n",
         "x y\n1 2.5\n-3e2 .1\n",
         "\"x\",\"y\"\n1,2.5\n-3e2,.1\n",
@@ -72,10 +73,19 @@ void good_tables_are_read(void)
     };
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
         check_points(texts[k], (struct columns){0, 0}, 2, points);
-    check_points("1 2.5 rest\n-3e2 .1\n", (struct columns){1, 2}, 2,
+    check_points("X:,Y:\n1,2.5\n-3e2,.1\n", (struct columns){0, 0}, 2,
                  points);
-    check_points("name,y,x\nAnn,2.5,1\nBob,.1,-3e2,old\n",
+    check_points("x.1 \xce\xbc\n1 2.5\n-3e2 .1\n",
+                 (struct columns){0, 0}, 2, points);
+    check_points("1 2.5 rest\n-3e2 .1 rest\n", (struct columns){1, 2},
+                 2, points);
+    check_points("name,y,x\nAnn,2.5,1\nBob,.1,-3e2\n",
                  (struct columns){3, 2}, 2, points);
+    check_points("id\tlabel\tx\ty\tz\n7\t\t1\t2.5\t\n"
+                 "8\tArea 51\t-3e2\t.1\t9\n",
+                 (struct columns){3, 4}, 2, points);
+    check_points("\"a, b #1\",1,2.5 # c\n\"New York\",-3e2,.1\n",
+                 (struct columns){2, 3}, 2, points);
     check_points("Ulm;;1;2.5\nRom;;-3e2;.1\n", (struct columns){3, 4},
                  2, points);
 }
@@ -170,7 +180,47 @@ void bad_tables_are_refused(void)
         {"", {0, 0}, " expected points, found none"},
         {"# nothing\n\n", {0, 0}, " expected points, found none"},
         {"x y\n", {0, 0}, " expected points, found none"},
-        {"a,1,2\nb,1\n", {2, 3}, "2: expected numbers in the two colu"},
+        {"1\t2\n3\t\t4\n",
+         {0, 0},
+         "2: expected two numbers, found \"3\t\t4\""},
+        {"1\t2\n3 4\n",
+         {0, 0},
+         "2: expected two numbers, found \"3 4\""},
+        {"1e-400 0\n",
+         {0, 0},
+         "1: expected numbers that a double can tell from 0, found"},
+        {"1 2\n0 -0.00003e-330\n",
+         {0, 0},
+         "2: expected numbers that a double can tell from 0, found"},
+        {"\xe2\x88\x92"
+         "1 \xe2\x88\x92"
+         "2\n3 4\n",
+         {0, 0},
+         "1: expected two numbers, found"},
+        {"\xef\xbc\x91 \xef\xbc\x92\n3 4\n",
+         {0, 0},
+         "1: expected two numbers, found"},
+        {"None,none\n3,4\n",
+         {0, 0},
+         "1: expected two numbers, found \"None,none"},
+        {"l.5,S.2\n3,4\n",
+         {0, 0},
+         "1: expected two numbers, found \"l.5,S.2"},
+        {"a,1,2\nb,1\n",
+         {2, 3},
+         "2: expected 3 fields, as in line 1, found \"b,1\"\n"},
+        {"a,1,2\nb,1,2,3\n",
+         {2, 3},
+         "2: expected 3 fields, as in line 1, found \"b,1,2,3\"\n"},
+        {"1 2 rest\n3 4\n",
+         {1, 2},
+         "2: expected 3 fields, as in line 1, found \"3 4\""},
+        {"label\tx\ty\nArea 51\t1\n",
+         {2, 3},
+         "2: expected 3 fields, as in line 1, found \"Area 51"},
+        {"# c\na,x,y\nb,1,\n",
+         {2, 3},
+         "3: expected numbers in the two columns, found \"b,1,\""},
         {"a,1,2\n", {1, 2}, "1: expected numbers in the two columns"},
     };
     check_refusals(bad, COUNT_OF(bad));

@@ -1,8 +1,8 @@
 // Chapter 1: the tools must be right before anything is measured.
 #include "algorithms.h"
-#include "common/argument.h"
 #include "common/clock.h"
 #include "common/count.h"
+#include "common/experiment.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "common/geometry.h"
@@ -343,23 +343,34 @@ static void clock_runs_forward(void)
 // ---- arguments of experiments ---------------------------------------
 static void ask_for_rows(void *text)
 {
-    char *argv[] = {"climb", "100", text};
-    argument(3, argv, 2, "ROWS", 512, 8, 100);
+    char *argv[] = {"climb", text};
+    struct experiment e = {2, 1, argv};
+    parameter(&e, "ROWS", 512, 8, 100);
 }
 
 static void arguments_are_whole_numbers(void)
 {
     char *argv[] = {"climb", "2e4", "8", "100"};
-    CHECK_INT(20000, argument(4, argv, 1, "POINTS", 5, 2, MANY), "2e4");
-    CHECK_INT(8, argument(4, argv, 2, "ROWS", 5, 8, 100), "the least");
-    CHECK_INT(100, argument(4, argv, 3, "ROWS", 5, 8, 100), "the most");
-    CHECK_INT(5, argument(4, argv, 4, "TRIALS", 5, 1, 9), "left out");
-    CHECK_INT(100, argument(2, argv, 2, "ROWS", 512, 8, 100),
+    struct experiment e = {4, 1, argv};
+    CHECK_INT(20000, parameter(&e, "POINTS", 5, 2, MANY), "2e4");
+    CHECK_INT(8, parameter(&e, "ROWS", 5, 8, 100), "the least");
+    CHECK_INT(100, parameter(&e, "ROWS", 5, 8, 100), "the most");
+    CHECK_INT(5, parameter(&e, "TRIALS", 5, 1, 9), "left out");
+    CHECK_INT(100, parameter(&e, "ROWS", 512, 8, 100),
               "left out, and cut down to the most");
+}
+
+static void ask_for_less(void *text)
+{
+    char *argv[] = {"climb", text};
+    struct experiment e = {2, 1, argv};
+    columns(&e, "name ns:3");
 }
 
 static void bad_arguments_are_refused(void)
 {
+    CHECK_FAILS("test: expected no more arguments, found \"5\"\n",
+                ask_for_less, "5", "one too many");
     static char *const bad[] = {
         "101", "7",   "0",   "-8",  "9.5", "5000000000", "",
         "ten", "10x", "1 0", "nan", "inf", "-inf"};
@@ -425,7 +436,7 @@ static void provenance_is_complete(void)
     for (char *line = strtok(text, "\n"); line;
          line = strtok(NULL, "\n"), lines++)
         CHECK(line[0] == '#' && strchr(line, ':')[2], "\"%s\"", line);
-    CHECK(lines >= 4, "%d lines", lines);
+    CHECK(lines >= 6, "%d lines", lines);
 }
 
 int main(void)

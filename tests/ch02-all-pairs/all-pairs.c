@@ -2,11 +2,11 @@
 // to the last bit and the lowest index, and 100,000 points have the
 // mean distances that the coursework reports.
 #include "algorithms.h"
-#include "ch02-all-pairs/choices.h"
+#include "ch02-all-pairs/experiments/choices.h"
 #include "ch02-all-pairs/first.h"
 #include "ch02-all-pairs/ladder.h"
 #include "ch02-all-pairs/naive.h"
-#include "ch02-all-pairs/peak.h"
+#include "ch02-all-pairs/experiments/peak.h"
 #include "ch02-all-pairs/tile.h"
 #include "ch02-all-pairs/tiles.h"
 #include "common/generate.h"

@@ -1,13 +1,14 @@
 // Cells: exact borders, a sort that keeps order, blocks that know what
 // they lack, a search that errs where it must and one that never does;
-// and how much was looked at.
+// and how much was visited.
 #include "algorithms.h"
+#include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/block.h"
+#include "ch04-cell-sort/experiments/nine_cells.h"
+#include "ch04-cell-sort/experiments/poisson.h"
 #include "ch04-cell-sort/line.h"
 #include "ch04-cell-sort/lists.h"
 #include "ch04-cell-sort/point_by_point.h"
-#include "ch04-cell-sort/poisson.h"
-#include "ch04-cell-sort/together.h"
 #include "common/generate.h"
 #include "common/random.h"
 #include "harness.h"
@@ -156,7 +157,7 @@ static void check_sort(struct points points, double c, const char *what)
                 break;
             j = lists.next[j];
         }
-        CHECK_INT(NOBODY, j, "%s: the end of list %u", what, cell);
+        CHECK_INT(NO_INDEX, j, "%s: the end of list %u", what, cell);
     }
     for (int threads = 1; threads <= 4; threads *= 2)
         check_order(points, cells.point, threads, what);
@@ -233,12 +234,12 @@ static void numbers_on_a_line(void)
 }
 
 // ---- the block -----------------------------------------------------
-static bool in_reach(const struct axis *axis, const struct reach *reach,
+static bool in_reach(const struct axis *axis, const struct range *reach,
                      uint32_t cell)
 {
     int times = 0;
     for (uint32_t k = 0; k < reach->count; k++)
-        times += reach_cell(axis, reach, k) == cell;
+        times += range_cell(axis, reach, k) == cell;
     CHECK(times <= 1, "cell %u is visited %d times", cell, times);
     return times;
 }
@@ -308,7 +309,7 @@ static void nine_cells_are_not_enough(void)
     struct answers answers = answers_allocate(16);
     struct sorted s = sorted_make(&question, 1, cells_sort_alone);
     CHECK_INT(16, grid_cells(&s.grid), "cells");
-    search_untested(&question, &s, &answers);
+    search_nine_cells(&question, &s, &answers);
     CHECK_INT(2, answers.nearest[0], "without the test, the wrong one");
     search_sorted(&question, &s, &answers);
     CHECK_INT(1, answers.nearest[0], "with it, the right one");
@@ -332,7 +333,7 @@ static void the_test_makes_it_right(void)
         for (int k = 0; k < 3; k++) {
             struct sorted s =
                 sorted_make(&question, per_cell[k], cells_sort_alone);
-            search_untested(&question, &s, &found);
+            search_nine_cells(&question, &s, &found);
             CHECK(wrong(&right, &found, 3000) > 0,
                   "wrong without the test, c = %g", per_cell[k]);
             search_sorted(&question, &s, &found);
@@ -346,7 +347,7 @@ static void the_test_makes_it_right(void)
     }
 }
 
-// Any c, any order of asking, any number of threads.
+// Any c, any order of queries, any number of threads.
 static void every_search_agrees(void)
 {
     static const double per_cell[] = {0.1, 0.7, 2, 9, 1e9};
@@ -376,7 +377,7 @@ static void every_search_agrees(void)
                     else if (way == 4)
                         search_sorted(&question, &s, &found);
                     else
-                        search_together(&question, &s, &found);
+                        search_batches(&question, &s, &found);
                     CHECK_INT(0, wrong(&right, &found, n),
                               "wrong: %s, c = %g, way %d, geometry %d",
                               distributions[d].name, per_cell[k], way,
@@ -396,10 +397,12 @@ static struct counts count(const struct question *question, double c,
                            struct answers *answers)
 {
     struct sorted s = sorted_make(question, c, cells_sort_alone);
-    counting_take();
-    counting_search_sorted(question, &s, answers);
+    struct counts counts = {0};
+    struct question counted = *question;
+    counted.counts = &counts;
+    search_sorted(&counted, &s, answers);
     sorted_free(&s);
-    return counting_take();
+    return counts;
 }
 
 // Three percent: with wraparound there is no border. In a bounded
@@ -437,7 +440,7 @@ static void counts_are_as_predicted(void)
     answers_free(&answers);
 }
 
-// Four who ask together have a block of three rows and, on average, 3
+// Four queries of a batch have a block of three rows and, on average, 3
 // and 3 / c columns, and meet themselves and, on average, one more at
 // either end of their cells.
 static void counts_of_four(void)
@@ -452,7 +455,7 @@ static void counts_of_four(void)
     struct counts found =
         count_operations(find_algorithm("cells"), &question, &answers);
     CHECK_NEAR(expected, (double)found.distances / n, 0.04 * expected,
-               "distances a point, four together");
+               "distances a point, batches of four");
     points_free(&question.points);
     answers_free(&answers);
 }
@@ -474,7 +477,7 @@ static void errors_are_as_predicted(void)
             struct sorted s =
                 sorted_make(&question, c, cells_sort_alone);
             search_sorted(&question, &s, &right);
-            search_untested(&question, &s, &found);
+            search_nine_cells(&question, &s, &found);
             errors += wrong(&right, &found, n);
             sorted_free(&s);
             points_free(&question.points);
@@ -487,7 +490,7 @@ static void errors_are_as_predicted(void)
     answers_free(&found);
 }
 
-// One point far from all others, who share a few cells.
+// One point far from all others, which share a few cells.
 static void a_far_point(void)
 {
     const uint32_t n = 5000;

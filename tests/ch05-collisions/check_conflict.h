@@ -6,9 +6,9 @@
 #include "harness.h"
 #include <string.h>
 
-typedef void count_function(const uint32_t *home, uint32_t n,
+typedef void count_function(const uint32_t *cell_id, uint32_t n,
                             uint32_t *count);
-typedef void place_function(const uint32_t *home, uint32_t n,
+typedef void place_function(const uint32_t *cell_id, uint32_t n,
                             uint32_t *next, uint32_t *point);
 
 enum { MOST = 300, MOST_CELLS = 1000, UNTOUCHED = 0x5A5A5A5A };
@@ -17,16 +17,17 @@ enum { MOST = 300, MOST_CELLS = 1000, UNTOUCHED = 0x5A5A5A5A };
 static inline bool check_counts(count_function *count_with, uint32_t n,
                                 uint32_t m, struct random *random)
 {
-    uint32_t home[MOST], right[MOST_CELLS + 1], found[MOST_CELLS + 1];
+    uint32_t cell_id[MOST], right[MOST_CELLS + 1],
+        found[MOST_CELLS + 1];
     for (uint32_t k = 0; k < m; k++)
         right[k] = random_bits(random) % 5;
     right[m] = UNTOUCHED;
     memcpy(found, right, sizeof found);
     for (uint32_t i = 0; i < n; i++) {
-        home[i] = random_bits(random) % m;
-        right[home[i]]++;
+        cell_id[i] = random_bits(random) % m;
+        right[cell_id[i]]++;
     }
-    count_with(home, n, found);
+    count_with(cell_id, n, found);
     for (uint32_t k = 0; k <= m; k++)
         if (!CHECK_INT(right[k], found[k],
                        "%u points in %u cells: count of cell %u", n, m,
@@ -38,11 +39,12 @@ static inline bool check_counts(count_function *count_with, uint32_t n,
 static inline bool check_places(place_function *place_with, uint32_t n,
                                 uint32_t m, struct random *random)
 {
-    uint32_t home[MOST], next[MOST_CELLS + 1] = {0}, after[MOST_CELLS];
+    uint32_t cell_id[MOST], next[MOST_CELLS + 1] = {0},
+                                              after[MOST_CELLS];
     uint32_t right[MOST + 1], found[MOST + 1];
     for (uint32_t i = 0; i < n; i++) {
-        home[i] = random_bits(random) % m;
-        next[home[i] + 1]++;
+        cell_id[i] = random_bits(random) % m;
+        next[cell_id[i] + 1]++;
     }
     for (uint32_t k = 0; k < m; k++)
         next[k + 1] += next[k];
@@ -50,8 +52,8 @@ static inline bool check_places(place_function *place_with, uint32_t n,
     memset(found, UNTOUCHED & 0xff, sizeof found);
     memcpy(right, found, sizeof right);
     for (uint32_t i = 0; i < n; i++)
-        right[after[home[i]]++] = i;
-    place_with(home, n, next, found);
+        right[after[cell_id[i]]++] = i;
+    place_with(cell_id, n, next, found);
     for (uint32_t i = 0; i <= n; i++)
         if (!CHECK_INT(right[i], found[i],
                        "%u points in %u cells: place %u", n, m, i))

@@ -2,11 +2,11 @@
 // every length of a group and every number of threads, on all kinds of
 // points; and how many collide.
 #include "algorithms.h"
-#include "ch05-collisions/bands.h"
+#include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/check_conflict.h"
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"
-#include "ch05-collisions/home.h"
+#include "ch05-collisions/partition.h"
 #include "ch05-collisions/shared.h"
 #include "common/fail.h"
 #include "common/generate.h"
@@ -48,17 +48,18 @@ static void check_atomic(const struct grid *grid, struct points points,
 {
     const uint32_t m = grid_cells(grid), n = points.n;
     struct cells found = cells_sort_atomic(grid, points, threads);
-    uint32_t *home = allocate(n, sizeof *home);
+    uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *times = allocate(n, sizeof *times);
     memset(times, 0, n * sizeof *times);
-    find_homes(grid, points, 0, n, home);
+    find_cell_ids(grid, points, 0, n, cell_id);
     if (same_numbers(right->start, found.start, m + 1, "start", what))
         for (uint32_t k = 0; k < m; k++)
             for (uint32_t s = found.start[k]; s < found.start[k + 1];
                  s++) {
                 uint32_t i = found.point[s];
-                if (i >= n || home[i] != k)
-                    CHECK(false, "%s: point[%u] is at home", what, s);
+                if (i >= n || cell_id[i] != k)
+                    CHECK(false, "%s: point[%u] is at cell_id", what,
+                          s);
                 times[i % n]++;
             }
     for (uint32_t i = 0; i < n; i++)
@@ -66,8 +67,71 @@ static void check_atomic(const struct grid *grid, struct points points,
             CHECK_INT(1, times[i], "%s: how often point %u is there",
                       what, i);
     free(times);
-    free(home);
+    free(cell_id);
     cells_free(&found);
+}
+
+// The same cells, and the points themselves in this order. Whatever
+// stands at a place came there in the record into which it went.
+static void check_partition(const struct grid *grid,
+                            struct points points,
+                            const struct cells *right, int threads,
+                            const char *what)
+{
+    const uint32_t m = grid_cells(grid), n = points.n;
+    static struct workspace workspace; // dirty from the last one
+    for (int restore = NO_RESTORE; restore <= RESTORE; restore++) {
+        struct mark mark = workspace_mark(&workspace);
+        struct partition found = partition_points(grid, points, threads,
+                                                  restore, &workspace);
+        const struct sorted *sorted = &found.sorted;
+        const uint32_t *point = sorted->cells.point;
+        CHECK_INT(n, sorted->points.n, "%s: points", what);
+        CHECK(grid->x.border == sorted->grid.x.border, "%s: grid",
+              what);
+        if (same_numbers(right->start, sorted->cells.start, m + 1,
+                         "start", what) &&
+            same_numbers(right->point, point, n, "point", what))
+            for (uint32_t s = 0; s < n; s++) {
+                CHECK_DOUBLE(points.x[point[s]], sorted->points.x[s],
+                             "%s: x of place %u", what, s);
+                CHECK_DOUBLE(points.y[point[s]], sorted->points.y[s],
+                             "%s: y of place %u", what, s);
+                if (restore)
+                    CHECK_INT(found.permutation[point[s]],
+                              found.inverse[s],
+                              "%s: record to place %u", what, s);
+            }
+        CHECK(restore || (!found.permutation && !found.inverse),
+              "%s: nothing to restore", what);
+        workspace_release(&workspace, mark);
+    }
+}
+
+// From the fitted grid to the answers' order, all in one block.
+static void partition_fits(void)
+{
+    struct points points =
+        generate(find_distribution("kuzmin"), 30000, 1);
+    struct question question = {points, {STANDARD, 1, 1}, 2};
+    struct workspace workspace = {0};
+    for (int round = 0; round < 3; round++) {
+        struct grid right = grid_fit(&question, 1.5);
+        struct partition found =
+            partition_make(&question, 1.5, RESTORE, &workspace);
+        struct cells cells = cells_sort(&right, points);
+        same_numbers(cells.start, found.sorted.cells.start,
+                     grid_cells(&right) + 1, "start", "fitted");
+        same_numbers(cells.point, found.sorted.cells.point, points.n,
+                     "point", "fitted");
+        cells_free(&cells);
+        grid_free(&right);
+        workspace_release(&workspace, (struct mark){0, 0});
+    }
+    CHECK(workspace.block[2].memory == NULL,
+          "the borders have a block, and all the rest");
+    workspace_free(&workspace);
+    points_free(&points);
 }
 
 static void check_sorts(const char *name, struct points points,
@@ -81,9 +145,10 @@ static void check_sorts(const char *name, struct points points,
     for (int k = 0; k < LANES; k++) {
         snprintf(what, sizeof what, "%u %s points, groups of %u", n,
                  name, group_lanes[k]);
-        check_cells(&right,
-                    cells_sort_groups(&grid, points, group_lanes[k]), m,
-                    n, what);
+        check_cells(
+            &right,
+            cells_sort_groups(&grid, points, group_lanes[k], NULL), m,
+            n, what);
     }
     snprintf(what, sizeof what, "%u %s points, conflicts", n, name);
     check_cells(&right, cells_sort_conflict(&grid, points), m, n, what);
@@ -95,10 +160,10 @@ static void check_sorts(const char *name, struct points points,
             check_cells(&right,
                         cells_sort_private(&grid, points, threads), m,
                         n, what);
-        snprintf(what, sizeof what, "%u %s points, %d threads, bands",
-                 n, name, threads);
-        check_cells(&right, cells_sort_threads(&grid, points, threads),
-                    m, n, what);
+        snprintf(what, sizeof what,
+                 "%u %s points, %d threads, partition", n, name,
+                 threads);
+        check_partition(&grid, points, &right, threads, what);
         snprintf(what, sizeof what, "%u %s points, %d threads, atomic",
                  n, name, threads);
         check_atomic(&grid, points, &right, threads, what);
@@ -123,7 +188,7 @@ static void same_cells_of_every_length(void)
         check_generators(n, 2);
 }
 
-// So many cells that there are several bands of the full width; few
+// So many cells that there are several buckets of the full width; few
 // crowded cells; and more cells than points.
 static void same_cells_of_many_points(void)
 {
@@ -160,7 +225,7 @@ static void same_grid_for_all_threads(void)
 }
 
 // ---- counting by groups --------------------------------------------
-static uint64_t plain_losers(const uint32_t *home, uint32_t n,
+static uint64_t plain_losers(const uint32_t *cell_id, uint32_t n,
                              uint32_t lanes)
 {
     uint64_t losers = 0;
@@ -168,7 +233,7 @@ static uint64_t plain_losers(const uint32_t *home, uint32_t n,
         uint32_t end = n - begin < lanes ? n : begin + lanes;
         for (uint32_t i = begin; i < end; i++)
             for (uint32_t j = begin; j < i; j++)
-                if (home[i] == home[j]) {
+                if (cell_id[i] == cell_id[j]) {
                     losers++;
                     break;
                 }
@@ -187,15 +252,15 @@ static void counts_by_groups(void)
         uint32_t n = random_bits(&random) % (N + 1);
         uint32_t lanes = 1 + random_bits(&random) % (N + 20);
         uint32_t m = cells[random_bits(&random) % 4];
-        uint32_t home[N], right[1000] = {0}, found[1000] = {0};
+        uint32_t cell_id[N], right[1000] = {0}, found[1000] = {0};
         for (uint32_t k = 0; k < m; k++)
             right[k] = found[k] = random_bits(&random) % 3;
         for (uint32_t i = 0; i < n; i++)
-            right[home[i] = random_bits(&random) % m]++;
+            right[cell_id[i] = random_bits(&random) % m]++;
         struct groups groups = groups_allocate(lanes, m);
-        memset(groups.last, seed % 256, m * sizeof *groups.last);
-        uint64_t losers = groups_count(&groups, home, n, found);
-        CHECK_INT((long long)plain_losers(home, n, lanes),
+        memset(groups.ticket, seed % 256, m * sizeof *groups.ticket);
+        uint64_t losers = groups_count(&groups, cell_id, n, found);
+        CHECK_INT((long long)plain_losers(cell_id, n, lanes),
                   (long long)losers, "losers of %u points, %u lanes", n,
                   lanes);
         same_numbers(right, found, m, "count", "by groups");
@@ -207,14 +272,16 @@ static void counts_by_groups(void)
 static void collisions_of_equal_points(void)
 {
     enum { N = 1000 };
-    uint32_t home[N] = {0}, count = 0, next = 0, point[N];
+    uint32_t cell_id[N] = {0}, count = 0, next = 0, point[N];
     struct groups groups = groups_allocate(64, 1);
-    CHECK_INT(N - 16, (long long)groups_count(&groups, home, N, &count),
+    CHECK_INT(N - 16,
+              (long long)groups_count(&groups, cell_id, N, &count),
               "losers of counting");
     CHECK_INT(N, count, "counted");
-    CHECK_INT(N - 16,
-              (long long)groups_place(&groups, home, N, &next, point),
-              "losers of placing");
+    CHECK_INT(
+        N - 16,
+        (long long)groups_place(&groups, cell_id, N, &next, point),
+        "losers of placing");
     for (uint32_t i = 0; i < N; i++)
         CHECK_INT(i, point[i], "point[%u]", i);
     groups_free(&groups);
@@ -232,14 +299,14 @@ static uint64_t losers_of_uniform_points(uint32_t n, double c,
     struct grid grid = grid_fit(&question, c);
     const uint32_t m = grid_cells(&grid);
     struct groups groups = groups_allocate(lanes, m);
-    uint32_t *home = allocate(n, sizeof *home);
+    uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *count = allocate(m, sizeof *count);
-    find_homes(&grid, points, 0, n, home);
+    find_cell_ids(&grid, points, 0, n, cell_id);
     memset(count, 0, m * sizeof *count);
-    uint64_t losers = groups_count(&groups, home, n, count);
+    uint64_t losers = groups_count(&groups, cell_id, n, count);
     *per_cell = (double)n / m;
     free(count);
-    free(home);
+    free(cell_id);
     groups_free(&groups);
     grid_free(&grid);
     points_free(&points);
@@ -273,7 +340,7 @@ static void collisions_are_counted(void)
               "collisions of equal points, counted and placed");
     counts = count_operations(find_algorithm("cells-threads"),
                               &question, &answers);
-    CHECK_INT(0, (long long)counts.collisions, "collisions of bands");
+    CHECK_INT(0, (long long)counts.collisions, "collisions of records");
     answers_free(&answers);
     points_free(&points);
 }
@@ -293,7 +360,7 @@ int main(void)
 {
     return RUN_TESTS(
         "ch05-collisions", TEST(same_cells_of_every_length),
-        TEST(same_cells_of_many_points),
+        TEST(same_cells_of_many_points), TEST(partition_fits),
         TEST(same_grid_for_all_threads), TEST(counts_by_groups),
         TEST(collisions_of_equal_points), TEST(collisions_as_predicted),
         TEST(collisions_are_counted), TEST(conflict_detection));

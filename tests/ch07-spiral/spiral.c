@@ -1,11 +1,11 @@
-// Spirals: windows show every cell once and hide none that matters; the
+// Spirals: ranges have every cell once and leave out none that matters; the
 // search against the plainest there is, for any number of points to a
 // cell; and as many distances as were expected.
 #include "ch07-spiral/spiral.h"
 #include "algorithms.h"
-#include "ch07-spiral/census.h"
-#include "ch07-spiral/expected.h"
-#include "ch07-spiral/seek.h"
+#include "ch07-spiral/experiments/census.h"
+#include "ch07-spiral/experiments/expected.h"
+#include "ch07-spiral/two_phases.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "common/random.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// ---- windows -------------------------------------------------------
+// ---- ranges --------------------------------------------------------
 // An axis of m cells from 0 to 1, with or without wraparound.
 static struct axis unit_axis(enum geometry geometry, uint32_t m)
 {
@@ -27,9 +27,9 @@ static void every_cell_once(void)
         for (uint32_t m = 1; m <= 9; m++) {
             struct axis axis = unit_axis(g, m);
             for (uint32_t cell = 0; cell < m; cell++) {
-                struct view all = view_all(&axis, cell);
+                struct search_range all = whole_range(&axis, cell);
                 int times[9] = {0};
-                for (int32_t d = -all.back; d <= all.on; d++)
+                for (int32_t d = -all.back; d <= all.ahead; d++)
                     times[step(&axis, cell, d)]++;
                 for (uint32_t k = 0; k < m; k++)
                     CHECK_INT(1, times[k],
@@ -57,21 +57,21 @@ static void check_view(enum geometry geometry, const struct axis *axis,
                        double x, double best2)
 {
     uint32_t cell = axis_cell(axis, x);
-    struct view all = view_all(axis, cell);
-    struct view view =
+    struct search_range all = whole_range(axis, cell);
+    struct search_range view =
         geometry == STANDARD
-            ? view_square(STANDARD, axis, all, cell, x, best2)
-            : view_square(WRAPAROUND, axis, all, cell, x, best2);
+            ? square_range(STANDARD, axis, all, cell, x, best2)
+            : square_range(WRAPAROUND, axis, all, cell, x, best2);
     double slack = 1e-12;
-    for (int32_t d = -all.back; d <= all.on; d++) {
+    for (int32_t d = -all.back; d <= all.ahead; d++) {
         double gap = plain_gap(axis, step(axis, cell, d), x);
-        bool in = d >= -view.back && d <= view.on;
+        bool in = d >= -view.back && d <= view.ahead;
         if (gap < sqrt(best2) - slack)
             CHECK(in, "geometry %d, %u cells, x %g, D %g: sees %d",
                   geometry, axis->count, x, sqrt(best2), d);
         // The cell opposite can be as near the other way round.
-        bool opposite =
-            geometry == WRAPAROUND && (d == -all.back || d == all.on);
+        bool opposite = geometry == WRAPAROUND &&
+                        (d == -all.back || d == all.ahead);
         if (gap > sqrt(best2) + slack && !opposite && sqrt(best2) < 0.4)
             CHECK(!in,
                   "geometry %d, %u cells, x %g, D %g: does not see %d",
@@ -100,18 +100,18 @@ static void views_of_squares(void)
 static void squares_are_closed(void)
 {
     struct axis axis = unit_axis(STANDARD, 4);
-    struct view all = view_all(&axis, 1);
-    struct view view =
-        view_square(STANDARD, &axis, all, 1, 0.375, 0.125 * 0.125);
+    struct search_range all = whole_range(&axis, 1);
+    struct search_range view =
+        square_range(STANDARD, &axis, all, 1, 0.375, 0.125 * 0.125);
     CHECK_INT(1, view.back, "to a border below");
-    CHECK_INT(1, view.on, "to a border above");
-    view = view_square(STANDARD, &axis, all, 1, 0.375,
-                       nextafter(0.125 * 0.125, 0));
+    CHECK_INT(1, view.ahead, "to a border above");
+    view = square_range(STANDARD, &axis, all, 1, 0.375,
+                        nextafter(0.125 * 0.125, 0));
     CHECK_INT(0, view.back, "not quite to a border below");
-    CHECK_INT(0, view.on, "not quite to a border above");
-    view = view_square(STANDARD, &axis, all, 1, 0.25, 0);
+    CHECK_INT(0, view.ahead, "not quite to a border above");
+    view = square_range(STANDARD, &axis, all, 1, 0.25, 0);
     CHECK_INT(1, view.back, "from a point on the border");
-    CHECK_INT(0, view.on, "away from the border");
+    CHECK_INT(0, view.ahead, "away from the border");
     axis_free(&axis);
 }
 
@@ -119,18 +119,18 @@ static void squares_are_closed(void)
 enum { MOST_CELLS = 4096 };
 
 struct recorder {
-    struct seeker seeker; // first, to be found from it
+    struct spiral_query query; // first, to be found from it
     int count;
     uint32_t cell[MOST_CELLS];
 };
 
-INLINED void look_and_record(const enum geometry geometry,
-                             const struct map *map, uint32_t cell,
-                             struct seeker *seeker)
+INLINED void visit_and_record(const enum geometry geometry,
+                              const struct map *map, uint32_t cell,
+                              struct spiral_query *query)
 {
-    struct recorder *recorder = (struct recorder *)seeker;
+    struct recorder *recorder = (struct recorder *)query;
     recorder->cell[recorder->count++ % MOST_CELLS] = cell;
-    look_at_cell(geometry, map, cell, seeker);
+    visit_cell(geometry, map, cell, query);
 }
 
 static uint32_t steps_between(const struct axis *axis, uint32_t a,
@@ -147,7 +147,7 @@ static void check_walk(const struct grid *grid,
 {
     uint32_t m = grid->x.count, last = 0, home = r->cell[0];
     bool seen[MOST_CELLS] = {false};
-    CHECK_INT(r->count, (long long)r->seeker.looked,
+    CHECK_INT(r->count, (long long)r->query.cells,
               "%s: cells looked at", what);
     for (int k = 0; k < r->count; k++) {
         uint32_t cell = r->cell[k];
@@ -178,14 +178,14 @@ static void out_in_layers(void)
             struct cells cells = cells_sort(&grid, points);
             struct map map = {&grid, &cells, points, question.space};
             for (uint32_t i = 0; i < n; i++) {
-                recorder.seeker = seeker_at(points, i);
+                recorder.query = spiral_query_at(&map, i);
                 recorder.count = 0;
                 if (g == STANDARD)
-                    seek(STANDARD, &map, look_and_record,
-                         &recorder.seeker);
+                    spiral_nearest(STANDARD, &map, visit_and_record,
+                                   &recorder.query);
                 else
-                    seek(WRAPAROUND, &map, look_and_record,
-                         &recorder.seeker);
+                    spiral_nearest(WRAPAROUND, &map, visit_and_record,
+                                   &recorder.query);
                 snprintf(what, sizeof what,
                          "geometry %d, %u points, point %u", g, n, i);
                 check_walk(&grid, &recorder, what);

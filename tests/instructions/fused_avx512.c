@@ -1,3 +1,3 @@
-// Chapter 8's fused loops in AVX-512, with emulated instructions.
-#define avx512_loops emulated_avx512_loops
+// Chapter 8's fused kernels in AVX-512, with emulated instructions.
+#define avx512_spiral emulated_avx512_spiral
 #include "ch08-vector-spiral/fused_avx512.c"

@@ -1,6 +1,6 @@
 // What `near --check` rests on: a wrong answer must not pass.
 #include "harness.h"
-#include "near_check.h"
+#include "near/check.h"
 #include "status.h"
 #include <stddef.h>
 

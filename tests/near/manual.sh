@@ -13,10 +13,10 @@ says 'is plain text' '' "$(LC_ALL=C grep -n '[^ -~]' manual)"
 # manual.
 options() {
     sed -n 's/.*getopt_long(argc, argv, ":\([^"]*\)".*/\1/p' \
-        "$source/near_options.c" | tr -d ':' | fold -w 1 | sed 's/^/-/'
+        "$source/near/options.c" | tr -d ':' | fold -w 1 | sed 's/^/-/'
     echo
     sed -n 's/^ *{"\([a-z-]*\)", [a-z]*_argument,.*/--\1/p' \
-        "$source/near_options.c"
+        "$source/near/options.c"
 }
 options | grep . | sort >parsed
 sed -n 's/^  \(--*[a-z]*\).*/\1/p' manual | sort >told
@@ -24,7 +24,7 @@ says 'every option is told once, and no other' "$(cat parsed)" "$(cat told)"
 says 'some options' yes "$([ "$(wc -l <parsed)" -ge 10 ] && echo yes)"
 says 'a value where one is needed' "$(sed -n \
     's/^ *{"\([a-z-]*\)", required_argument,.*/--\1/p' \
-    "$source/near_options.c" | sort)" \
+    "$source/near/options.c" | sort)" \
     "$(sed -n 's/^  \(--[a-z]*\) [A-Z].*/\1/p' manual | sort)"
 
 # Its limits are those that the parser names when they are broken.

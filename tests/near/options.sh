@@ -74,3 +74,21 @@ threads_of() {
 says 'few points, one thread' 1 "$(threads_of 4 2000)"
 says 'some points, some threads' 3 "$(threads_of 4 4001)"
 says 'many points, all threads' 4 "$(threads_of 4 8001)"
+
+# Threads that cannot start.
+OMP_STACKSIZE=100G
+export OMP_STACKSIZE
+refuses 'threads whose stacks no memory holds' 'cannot start 4 threads; fewer may do (-t)' -n 100 -t 4
+unset OMP_STACKSIZE
+
+# The input by another name.
+refuses 'no name of a file' 'expected the name of a file, found ""' ''
+printf '1 2\n3 4\n' >in.txt
+refuses 'the file at standard input' '-o: in.txt holds the points' - -o in.txt <in.txt
+says 'which is as it was' '1 2 3 4' "$(xargs <in.txt)"
+rm in.txt
+
+# The corners of a box belong to it.
+printf '0 0\n1 1\n0 1\n' >corners.txt
+accepts 'points at the corners of the box' corners.txt -g wraparound
+rm corners.txt

@@ -25,7 +25,7 @@ void k_nearest(struct points points, uint32_t i, uint32_t k,
         distances2[place] = d2;
     }
     //- starter
-    // // Your turn. So far: the first k points, whoever they are.
+    // // Your turn. So far: the first k points, near or far.
     // for (uint32_t place = 0; place < k; place++) {
     //     neighbors[place] = place;
     //     distances2[place] =

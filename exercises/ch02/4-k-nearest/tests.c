@@ -42,7 +42,8 @@ static const char *cause(struct points points, uint32_t i, uint32_t k,
         if (neighbors[p] == i)
             return "A point is not its own neighbor.";
     if (found >= points.n)
-        return "This element was never set.";
+        return "This element was never set. While fewer than k are kept, "
+               "is a point let in whatever its distance is?";
     double really = distance2(points.x[found] - points.x[i],
                               points.y[found] - points.y[i]);
     if (distances2[place] == sqrt(really) && really != 0)
@@ -142,6 +143,23 @@ static void in_order(uint64_t seed)
     }
 }
 
+// Far apart, but every square is finite: no number is large enough to
+// begin with, except infinity.
+static void large(uint64_t seed)
+{
+    static const double scales[] = {3, 1e6, 1e150};
+    for (int s = 0; s < 3; s++) {
+        struct points points = kit_points("uniform", 40, seed);
+        for (uint32_t j = 0; j < points.n; j++) {
+            points.x[j] = (j - 20.0) * scales[s];
+            points.y[j] = points.y[j] * scales[s];
+        }
+        kit_given("40 points, neighbors about %g apart", scales[s]);
+        check(points, 20, 39);
+        kit_next_case();
+    }
+}
+
 // ---- time ----------------------------------------------------------
 
 enum { MANY = 200000, KEPT = 8, ASKED = 100 };
@@ -195,11 +213,12 @@ static void in_time(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"one", 2, "the nearest", one},
+    {"one", 1, "the nearest", one},
     {"all", 1, "all others, in order", all},
     {"several", 2, "10 and 37 of 1,000", several},
     {"ties", 2, "points at the same distance", ties},
     {"in-order", 1, "points that come in order", in_order},
+    {"large", 1, "distances beyond the unit square", large},
     {"time", 2, "in twice our time, 8 of 200,000", in_time},
     {0},
 };

@@ -11,17 +11,17 @@ struct grid {
     const double *row_border;    // [0 .. rows], rising
 };
 
-#define NOBODY UINT32_MAX
+#define NO_INDEX UINT32_MAX
 struct found {
-    uint32_t nearest; // NOBODY: none
+    uint32_t nearest; // NO_INDEX: none
     double nearest2;  // its squared distance; INFINITY: none
 };
 
 // The nearest point in a cell, the lowest index if several tie, without
-// the one that asks. Given; it counts.
+// the query. Given; it counts.
 struct found look(uint32_t column, uint32_t row);
 
-// The nearest neighbor of the point that asks, at (x, y) in the cell
-// (column, row); the lowest index if several tie.
+// The nearest neighbor of the query, at (x, y) in the cell (column,
+// row); the lowest index if several tie.
 struct found grow(const struct grid *grid, uint32_t column,
                   uint32_t row, double x, double y);

@@ -9,7 +9,7 @@
 static struct points points;
 static struct grid grid;
 static uint32_t *column_of, *row_of; // of every point
-static uint32_t asking;
+static uint32_t query;
 
 // For every point its answer, and how often it looked at each cell; the
 // last of these is for cells that there are not.
@@ -36,7 +36,7 @@ static double between(uint32_t i, uint32_t j)
 static struct found search(uint32_t i, uint32_t left, uint32_t right,
                            uint32_t bottom, uint32_t top)
 {
-    struct found found = {NOBODY, INFINITY};
+    struct found found = {NO_INDEX, INFINITY};
     for (uint32_t j = 0; j < points.n; j++)
         if (j != i && column_of[j] >= left && column_of[j] <= right &&
             row_of[j] >= bottom && row_of[j] <= top &&
@@ -48,11 +48,11 @@ static struct found search(uint32_t i, uint32_t left, uint32_t right,
 struct found look(uint32_t column, uint32_t row)
 {
     if (column >= grid.columns || row >= grid.rows) {
-        looks_of(asking)[cells()]++;
-        return (struct found){NOBODY, INFINITY};
+        looks_of(query)[cells()]++;
+        return (struct found){NO_INDEX, INFINITY};
     }
-    looks_of(asking)[row * grid.columns + column]++;
-    return search(asking, column, column, row, row);
+    looks_of(query)[row * grid.columns + column]++;
+    return search(query, column, column, row, row);
 }
 
 // ---- the grid ------------------------------------------------------
@@ -150,24 +150,23 @@ static const char *wrong_cause(uint32_t i, struct found right)
 {
     struct found found = answers[i];
     bool looked_at = is_looked_at(i, right.nearest);
-    if (found.nearest == NOBODY && !looked_at)
-        return "The block ended before anybody was found.";
+    if (found.nearest == NO_INDEX && !looked_at)
+        return "The block ended before a point was found.";
     if (looked_at && found.nearest2 == right.nearest2)
         return "These tie, and lie in different cells: the lower index "
                "is asked for, whichever cell was looked at first.";
     if (found.nearest2 == right.nearest2)
         return "These tie. The block ended though its border is just "
                "as near as the best point, and on that border stands "
-               "one with a lower index: grow while the border is not "
-               "further than the best.";
+               "one with a lower index.";
     if (looked_at)
         return "Its cell was looked at, and then it was forgotten: is "
                "the best of each new cell compared with the best so "
                "far?";
     if (found.nearest == grow_by(NO_TEST, i).nearest)
-        return "The block ended when somebody was found. Beyond a "
-               "border that is nearer than he is may be somebody "
-               "nearer.";
+        return "The block ended when a point was found. Beyond a "
+               "border that is nearer than this point may be one that "
+               "is nearer, too.";
     if (found.nearest == grow_by(NOT_SQUARED, i).nearest)
         return "A distance is compared with a squared one: square the "
                "distance to the border.";
@@ -178,13 +177,13 @@ static const char *wrong_cause(uint32_t i, struct found right)
 
 static const char *tell(struct found found)
 {
-    if (found.nearest == NOBODY)
-        return "nobody";
+    if (found.nearest == NO_INDEX)
+        return "no point";
     return kit_text("%s, squared distance %.17g",
                     kit_point(points, found.nearest), found.nearest2);
 }
 
-static const char *tell_asking(uint32_t i)
+static const char *tell_query(uint32_t i)
 {
     return kit_text("%s in cell (%u, %u) of %u by %u",
                     kit_point(points, i), column_of[i], row_of[i],
@@ -197,13 +196,13 @@ static void check(void)
     looks = kit_output("the looks", (size_t)points.n * (cells() + 1),
                        sizeof *looks);
     memset(looks, 0, (size_t)points.n * (cells() + 1) * sizeof *looks);
-    CALL(for (asking = 0; asking < points.n; asking++) answers[asking] =
-             STUDENT(grow)(&grid, column_of[asking], row_of[asking],
-                           points.x[asking], points.y[asking]));
+    CALL(for (query = 0; query < points.n; query++) answers[query] =
+             STUDENT(grow)(&grid, column_of[query], row_of[query],
+                           points.x[query], points.y[query]));
     for (uint32_t i = 0; i < points.n; i++) {
         struct found right = search_all(i);
         if (looks_of(i)[cells()] > 0)
-            WRONG(.where = tell_asking(i),
+            WRONG(.where = tell_query(i),
                   .expected = "looks at cells of the grid",
                   .found = "a look at a cell that there is not",
                   .cause = "The block has reached the edge of the "
@@ -211,12 +210,14 @@ static void check(void)
                            "nothing to fear.");
         if (answers[i].nearest != right.nearest ||
             answers[i].nearest2 != right.nearest2)
-            WRONG(.where = tell_asking(i), .expected = tell(right),
+            WRONG(.where = tell_query(i), .expected = tell(right),
                   .found = tell(answers[i]),
                   .cause = wrong_cause(i, right),
                   .picture = {points,
                               {i, answers[i].nearest},
-                              {i, right.nearest}});
+                              {i, right.nearest}},
+                  .cells = {grid.columns, grid.rows, grid.column_border,
+                            grid.row_border});
     }
 }
 
@@ -228,7 +229,7 @@ static void check_once(void)
     for (uint32_t i = 0; i < points.n; i++)
         for (uint32_t k = 0; k < cells(); k++)
             if (looks_of(i)[k] > 1)
-                WRONG(.where = tell_asking(i),
+                WRONG(.where = tell_query(i),
                       .expected =
                           kit_text("one look at cell (%u, %u)",
                                    k % grid.columns, k / grid.columns),
@@ -246,7 +247,7 @@ static double gap(const double *border, uint32_t own, uint32_t k,
     return k < own ? x - border[k + 1] : k > own ? border[k] - x : 0;
 }
 
-// How far a cell is from the point that asks, in x or in y.
+// How far a cell is from the query, in x or in y.
 static double away_from(uint32_t i, uint32_t k)
 {
     return fmax(
@@ -264,7 +265,7 @@ static void check_square(void)
             double away = away_from(i, k);
             if (looks_of(i)[k] == 0 || away * away <= d2)
                 continue;
-            WRONG(.where = tell_asking(i),
+            WRONG(.where = tell_query(i),
                   .expected = kit_text("cells at most %.6g away, the "
                                        "distance to the nearest",
                                        sqrt(d2)),
@@ -273,10 +274,10 @@ static void check_square(void)
                                     k % grid.columns, k / grid.columns,
                                     away),
                   .cause =
-                      "Begin with the point's own cell. Then each side "
-                      "has a border of its own: grow on the side whose "
-                      "border is nearest of all. What you find there "
-                      "may make this cell needless.");
+                      "Begin with the query's own cell. When the block "
+                      "grew to this cell, another side had to grow in "
+                      "any case, and what lies there makes this cell "
+                      "needless.");
         }
     }
 }

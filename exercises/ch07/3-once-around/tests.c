@@ -100,8 +100,10 @@ static void check_complete(const struct cell *cells, uint32_t count,
     for (uint32_t i = 0; i < count; i++)
         if (cells[i].column == cell.column && cells[i].row == cell.row)
             return;
-    WRONG(.where = where(), .expected = tell(cell),
-          .found = kit_text("%u cells without it", count),
+    WRONG(.where = where(),
+          .expected = kit_text("%s among the cells", tell(cell)),
+          .found = kit_text("layer() returned %u cells; %s is missing",
+                            count, tell(cell)),
           .cause = is_half_way(cell)
                        ? "This cell is just half way round: it has to "
                          "be taken from one side."
@@ -185,7 +187,7 @@ static void half_way(uint64_t seed)
     check_all(1, 1, true);
 }
 
-// Nobody can go through all of these.
+// Too many cells to go through.
 static void large(uint64_t seed)
 {
     static const struct grid grids[] = {{1000000000, 900000000, false},

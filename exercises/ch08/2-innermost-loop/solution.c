@@ -1,6 +1,6 @@
 // The innermost loop: the test comes before the step, so that an empty
-// cell costs nothing, and whoever has finished is packed away, if there
-// is such a one.
+// cell costs nothing, and tasks that have finished are packed away,
+// if there are any.
 #include "exercise.h"
 
 //- solution
@@ -34,7 +34,7 @@ void look_into_cells(struct strip *strip, const uint32_t *start)
         keep_unfinished(strip, start, step + 1);
     }
     //- starter
-    // // Your turn: so far everybody meets the first point.
+    // // Your turn: so far every task meets the first point.
     // for (uint32_t l = 0; l < strip->lanes; l++)
     //     strip->place[l] = start[strip->cell[l]];
     // measure(strip->lanes, strip->task, strip->place);

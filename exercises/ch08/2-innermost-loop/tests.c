@@ -83,8 +83,8 @@ uint32_t pack(uint32_t lanes, const uint8_t *keep, uint32_t *values)
 
 // ---- inputs --------------------------------------------------------
 
-// Cells of fewest to most points, then one of SPARE that nobody asks
-// for; and tasks, each for a cell at random.
+// Cells of fewest to most points, then one of SPARE points that is
+// no task's; and tasks, each for a cell at random.
 enum { SPARE = 16 };
 
 static void prepare(uint32_t n, uint32_t m, uint32_t fewest,
@@ -138,8 +138,8 @@ static void check_fault(void)
     case BAD_LANES:
         WRONG(.expected = kit_text("a measure of 1 to %u lanes", tasks),
               .found = kit_text("%u lanes", notes->lanes),
-              .cause = "When everybody has finished, the loop ends. "
-                       "There may be nobody to begin with.");
+              .cause = "When all tasks have finished, the loop ends. "
+                       "There may be none to begin with.");
     case BAD_TASK:
         WRONG(.expected = kit_text("tasks 0 to %u", tasks - 1),
               .found = kit_text("task %u", notes->task),
@@ -162,21 +162,25 @@ static void check_fault(void)
     }
 }
 
+// Whether the test "all", which comes first, has said what is missing.
+static bool told_elsewhere = true;
+
 static const char *missing_cause(uint32_t task, uint32_t place)
 {
     uint32_t b = place - start[cell_of_task[task]];
     if (notes->steps == 1 && b > 0)
-        return "Everybody took one step only. Go on until all have "
-               "finished.";
+        return told_elsewhere ? "The test \"all\" says why."
+                              : "All tasks took one step only. Go on "
+                                "until all have finished.";
     if (notes->strayed)
-        return "Somebody else was met instead. The cell and the task "
+        return "Another point was met instead. The cell and the task "
                "of a lane must stay together: pack both, by the same "
                "flags.";
     if (b + 1 == count_of(cell_of_task[task]))
         return "It is the last one of its cell, and the task was gone. "
                "After the step to point b of a cell, b + 1 are done.";
     return "The task was packed away too early. A keep of 1 is for "
-           "those who have not finished.";
+           "tasks that have not finished.";
 }
 
 static void run(void)
@@ -220,7 +224,7 @@ static const char *stray_cause(void)
            "must be packed by the same flags.";
 }
 
-static void check_nobody_else(void)
+static void check_no_other(void)
 {
     run();
     if (notes->strayed)
@@ -238,7 +242,7 @@ static void check_steps(void)
     for (uint32_t i = 0; i < tasks; i++)
         if (count_of(cell_of_task[i]) > fullest)
             fullest = count_of(cell_of_task[i]);
-    check_nobody_else();
+    check_no_other();
     if (notes->steps > fullest)
         WRONG(.expected = kit_text("%u steps, as many as the fullest "
                                    "cell has points",
@@ -265,8 +269,8 @@ static void check_packs(uint64_t most)
               .found = kit_text("%ju, in %u packs",
                                 (uintmax_t)notes->packed, notes->packs),
               .cause = notes->idle_packs
-                           ? "There are packs when nobody had "
-                             "finished. Whether somebody has is seen "
+                           ? "There are packs when no task had "
+                             "finished. Whether one has is seen "
                              "while the flags are set."
                            : "Two packs for each step are enough, of "
                              "those lanes that were busy in it.");
@@ -277,6 +281,7 @@ static void check_packs(uint64_t most)
 
 static void all_points(uint64_t seed)
 {
+    told_elsewhere = false;
     prepare(200, 80, 1, 6, seed);
     run();
     kit_next_case();
@@ -284,19 +289,19 @@ static void all_points(uint64_t seed)
     run();
 }
 
-static void nobody_else(uint64_t seed)
+static void no_other(uint64_t seed)
 {
     prepare(200, 80, 1, 6, seed);
-    check_nobody_else();
+    check_no_other();
 }
 
 static void empty(uint64_t seed)
 {
     prepare(200, 100, 0, 3, seed);
-    check_nobody_else();
+    check_no_other();
     kit_next_case();
     prepare(3, 5, 0, 0, seed);
-    check_nobody_else();
+    check_no_other();
 }
 
 static void steps(uint64_t seed)
@@ -314,10 +319,10 @@ static void packs(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"all", 3, "everybody meets all points of his cell", all_points},
-    {"lanes", 2, "and no lane does anything else", nobody_else},
+    {"all", 3, "every task meets all points of its cell", all_points},
+    {"lanes", 2, "and no lane does anything else", no_other},
     {"empty", 2, "cells may be empty", empty},
     {"steps", 1, "all take their steps together", steps},
-    {"packs", 2, "no pack when nobody has finished", packs},
+    {"packs", 2, "no pack when no task has finished", packs},
     {0},
 };

@@ -134,7 +134,7 @@ void measure(uint32_t lanes, const uint32_t *task,
 // ---- inputs --------------------------------------------------------
 
 // Cells of fewest to most points, ways of random cells, each at most
-// once, and a few points at the end that are in nobody's way.
+// once, and a few points at the end that are in no task's way.
 static void prepare(uint32_t n, uint32_t cells, uint32_t fewest,
                     uint32_t most, uint64_t seed)
 {
@@ -430,9 +430,9 @@ static void steps(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"all", 3, "everybody meets all on his way", all_points},
-    {"lanes", 2, "and nobody else, though cells are empty", lanes},
-    {"asking", 2, "who asks must, and all together", asking},
-    {"steps", 3, "nobody waits for anybody", steps},
+    {"all", 3, "every task meets all on its way", all_points},
+    {"lanes", 2, "and no others, though cells are empty", lanes},
+    {"asking", 2, "only lanes that must ask, and together", asking},
+    {"steps", 3, "no lane waits for another", steps},
     {0},
 };

@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 enum { LANES = 4 };
-#define NOBODY UINT32_MAX
+#define NO_INDEX UINT32_MAX
 
 struct lanes {
     double distance2[LANES];
@@ -15,7 +15,7 @@ struct span {
 };
 
 struct found {
-    uint32_t nearest; // NOBODY: none
+    uint32_t nearest; // NO_INDEX: none
     double nearest2;  // its squared distance; INFINITY: none
 };
 

@@ -25,7 +25,7 @@ static void keep_nearest(struct lanes *best, const struct lanes *met,
 
 static struct found nearest_lane(const struct lanes *best)
 {
-    struct found found = {NOBODY, INFINITY};
+    struct found found = {NO_INDEX, INFINITY};
     for (int l = 0; l < LANES; l++) {
         double d2 = best->distance2[l];
         uint32_t j = best->index[l];
@@ -45,7 +45,7 @@ struct found search(uint32_t spans, const struct span *span,
     struct lanes best;
     for (int l = 0; l < LANES; l++) {
         best.distance2[l] = INFINITY;
-        best.index[l] = NOBODY;
+        best.index[l] = NO_INDEX;
     }
     for (uint32_t s = 0; s < spans; s++)
         for (uint32_t place = span[s].begin; place < span[s].end;
@@ -56,7 +56,7 @@ struct found search(uint32_t spans, const struct span *span,
     return nearest_lane(&best);
     //- starter
     // // Your turn: so far only the first lane is of any use.
-    // struct found found = {NOBODY, INFINITY};
+    // struct found found = {NO_INDEX, INFINITY};
     // for (uint32_t s = 0; s < spans; s++)
     //     for (uint32_t place = span[s].begin; place < span[s].end;
     //          place++) {

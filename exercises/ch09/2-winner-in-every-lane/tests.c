@@ -183,7 +183,7 @@ static uint32_t lane_of(const struct question *q, uint32_t place)
 
 static const char *tell(const struct question *q, struct found answer)
 {
-    if (answer.nearest == NOBODY)
+    if (answer.nearest == NO_INDEX)
         return "nobody";
     uint32_t place = place_of(q, answer.nearest);
     if (place == q->n)
@@ -218,13 +218,13 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
 {
     uint32_t place = place_of(q, answer.nearest);
     if (isnan(answer.nearest2) ||
-        (answer.nearest2 == INFINITY && answer.nearest != NOBODY))
+        (answer.nearest2 == INFINITY && answer.nearest != NO_INDEX))
         return "Behind the last point distances are NAN: ask whether "
                "the new one is less.";
     if (answer.nearest == q->self)
         return "This is the point that asks.";
     if (right == q->n)
-        return "There is nobody else: NOBODY, at INFINITY.";
+        return "There is nobody else: NO_INDEX, at INFINITY.";
     if (place < q->n && answer.nearest2 != q->distance2[place])
         return "This is not the distance of that point. A distance and "
                "its index are kept or replaced together.";
@@ -282,7 +282,7 @@ static void check(bool count)
     notes = kit_output("the notes", QUESTIONS, sizeof *notes);
     for (uint32_t k = 0; k < QUESTIONS; k++) {
         notes[k] = (struct notes){0};
-        found[k] = (struct found){NOBODY, INFINITY};
+        found[k] = (struct found){NO_INDEX, INFINITY};
     }
     CALL(ask_all());
     for (uint32_t k = 0; k < QUESTIONS; k++) {
@@ -294,7 +294,7 @@ static void check(bool count)
                   .cause = "No point is there. An empty span has no "
                            "first place.");
         uint32_t right = winner(q, 0, q->n, q->self);
-        struct found answer = {NOBODY, INFINITY};
+        struct found answer = {NO_INDEX, INFINITY};
         if (right < q->n)
             answer =
                 (struct found){q->index[right], q->distance2[right]};

@@ -14,7 +14,9 @@ double turn(struct points points, uint32_t i, uint32_t j, uint32_t k);
 double measure(struct points points, uint32_t i, uint32_t j);
 
 // Writes the corners of the hull of n >= 1 points to corner, which has
-// room for n + 1 indices, and returns how many they are.
+// room for n + 1 indices, and returns how many they are. Both arrays
+// are the caller's, who frees them. Scratch memory is allowed: free
+// what you allocate.
 uint32_t find_corners(struct points points, uint32_t *corner);
 
 // The furthest point from point i, the lowest index if several tie.

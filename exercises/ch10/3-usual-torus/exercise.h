@@ -16,7 +16,7 @@ struct span {
 struct span look(uint32_t column, uint32_t row);
 
 // Given. The squared distance, on the usual torus, of the point at a
-// place from the one who asks. It counts.
+// place from the query. It counts.
 double measure(uint32_t place);
 
 // The place of the furthest point from (x, y), the lowest if several

@@ -1,4 +1,4 @@
 # Takes places from the front of the array.
-# expect: Somebody else was met instead
+# expect: Another point was met instead
 # why: They forget that a cell begins somewhere.
 s/start\[strip->cell\[l\]\] + step/step/

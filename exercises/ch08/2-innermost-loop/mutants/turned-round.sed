@@ -1,4 +1,4 @@
 # Keeps those who have finished.
-# expect: for those who have not finished
+# expect: for tasks that have not finished
 # why: "Finished" and "unfinished" are one exclamation mark apart.
 s/strip->keep\[l\] = step </strip->keep[l] = step >=/

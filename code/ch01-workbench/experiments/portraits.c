@@ -1,0 +1,21 @@
+// Prints the points of all generators, one after the other.
+//
+//     portraits [POINTS]
+#include "common/experiment.h"
+#include "common/generate.h"
+#include <stdio.h>
+
+int main(int argc, char **argv)
+{
+    struct experiment e = experiment_begin(argc, argv);
+    uint32_t n = parameter(&e, "POINTS", 500, 1, MANY);
+    columns(&e, "distribution x y");
+    for (int d = 0; d < distribution_count; d++) {
+        struct points points = generate(&distributions[d], n, 1);
+        for (uint32_t i = 0; i < n; i++)
+            printf("%s\t%.6g\t%.6g\n", distributions[d].name,
+                   points.x[i], points.y[i]);
+        points_free(&points);
+    }
+    return 0;
+}

@@ -1,0 +1,81 @@
+// Build and search, nanoseconds a point, on one thread, for
+// several numbers of points in a cell and three searches.
+//
+//     valley [POINTS [TRIALS]]
+#include "ch04-cell-sort/batches.h"
+#include "ch04-cell-sort/point_by_point.h"
+#include "common/experiment.h"
+#include <stddef.h>
+
+enum { SIZES = 10, SEARCHES = 3 };
+
+static const double per_cell[SIZES] = {0.5, 0.75, 1, 1.5, 2,
+                                       3,   4,    6, 10,  16};
+
+struct attempt {
+    const struct question *question;
+    struct answers *answers;
+    double c;
+};
+
+static void by_lists(void *context)
+{
+    struct attempt *a = context;
+    struct grid grid = grid_fit(a->question, a->c);
+    struct lists lists = lists_make(&grid, a->question->points);
+    search_lists(a->question, &grid, &lists, NULL, a->answers);
+    lists_free(&lists);
+    grid_free(&grid);
+}
+
+static void by_sorting(const struct attempt *a,
+                       void (*search)(const struct question *,
+                                      const struct sorted *,
+                                      struct answers *))
+{
+    struct sorted sorted =
+        sorted_make(a->question, a->c, cells_sort_alone);
+    search(a->question, &sorted, a->answers);
+    sorted_free(&sorted);
+}
+
+static void point_by_point(void *context)
+{
+    by_sorting(context, search_sorted);
+}
+
+static void in_batches(void *context)
+{
+    by_sorting(context, search_batches);
+}
+
+int main(int argc, char **argv)
+{
+    struct experiment e = experiment_begin(argc, argv);
+    uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
+    int trials = parameter(&e, "TRIALS", 5, 1, MANY);
+    struct question question = uniform_question(STANDARD, n, 1);
+    struct answers answers = answers_allocate(n);
+    struct attempt attempts[SIZES];
+    void (*const searches[SEARCHES])(void *) = {
+        by_lists, point_by_point, in_batches};
+    struct trial versions[SIZES][SEARCHES];
+    for (int s = 0; s < SIZES; s++) {
+        attempts[s] =
+            (struct attempt){&question, &answers, per_cell[s]};
+        for (int k = 0; k < SEARCHES; k++)
+            versions[s][k] = (struct trial){.work = searches[k],
+                                            .context = &attempts[s]};
+    }
+    time_in_turn(trials, versions[0], SIZES * SEARCHES);
+    columns(&e, "name c lists:3 sorted:3 batches:3");
+    for (int s = 0; s < SIZES; s++) {
+        row_begin("size_%d\t%g", s, per_cell[s]);
+        for (int k = 0; k < SEARCHES; k++)
+            row_times(&versions[s][k].summary, n);
+        row_end();
+    }
+    answers_free(&answers);
+    points_free(&question.points);
+    return 0;
+}

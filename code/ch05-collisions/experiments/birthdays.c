@@ -1,0 +1,130 @@
+// For groups of 8, 16, 32, ... lanes and all kinds of points: how many
+// pairs of lanes collide and how many lanes lose, beside what is to be
+// expected if the points come in random order. On average over several
+// sets of points.
+//
+//     birthdays [POINTS [SETS]]
+#include "ch05-collisions/cell_ids.h"
+#include "ch05-collisions/groups.h"
+#include "common/allocate.h"
+#include "common/experiment.h"
+#include "common/generate.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SETS = 8 }; // of clusters, shown one by one
+
+struct tally {
+    double cells, others, pairs, losers;
+    double pairs_expected, losers_expected;
+};
+
+// count is all zeros before and after.
+static double pairs_of(const uint32_t *cell_id, uint32_t n,
+                       uint32_t lanes, uint32_t *count)
+{
+    double pairs = 0;
+    for (uint32_t begin = 0; begin < n; begin += lanes) {
+        uint32_t end = n - begin < lanes ? n : begin + lanes;
+        for (uint32_t i = begin; i < end; i++)
+            pairs += count[cell_id[i]]++;
+        for (uint32_t i = begin; i < end; i++)
+            count[cell_id[i]] = 0;
+    }
+    return pairs;
+}
+
+// A group is lanes of the n points, drawn without putting back; k
+// points are in this cell. All of them lose but one for each group in
+// which there is somebody.
+static double losers_expected(double n, double k, double lanes)
+{
+    double nobody = 1;
+    for (double j = 0; j < k && nobody > 0; j++)
+        nobody *= fmax(0, 1 - lanes / (n - j));
+    return k - n / lanes * (1 - nobody);
+}
+
+static void add_set(struct tally *tally, const uint32_t *cell_id,
+                    uint32_t n, uint32_t m, uint32_t lanes,
+                    uint32_t *count)
+{
+    struct groups groups = groups_allocate(lanes, m);
+    tally->pairs += pairs_of(cell_id, n, lanes, count);
+    tally->losers += groups_count(&groups, cell_id, n, count);
+    double others = 0;
+    for (uint32_t cell = 0; cell < m; cell++) {
+        double k = count[cell];
+        others += k * (k - 1) / n;
+        tally->losers_expected += losers_expected(n, k, lanes);
+        count[cell] = 0;
+    }
+    tally->others += others;
+    tally->pairs_expected += others * (lanes - 1) / 2;
+    tally->cells += m;
+    groups_free(&groups);
+}
+
+struct range {
+    uint32_t first, last;
+};
+
+static void print_tally(const char *name, const char *distribution,
+                        uint32_t n, struct range seeds,
+                        struct range lanes)
+{
+    struct tally tallies[32] = {0};
+    const int sets = seeds.last - seeds.first + 1;
+    for (uint32_t seed = seeds.first; seed <= seeds.last; seed++) {
+        struct points points =
+            generate(find_distribution(distribution), n, seed);
+        struct question question = {points, {STANDARD, 1, 1}, 1};
+        struct grid grid = grid_fit(&question, 2);
+        const uint32_t m = grid_cells(&grid);
+        uint32_t *cell_id = allocate(n, sizeof *cell_id);
+        uint32_t *count = allocate(m, sizeof *count);
+        memset(count, 0, m * sizeof *count);
+        find_cell_ids(&grid, points, 0, n, cell_id);
+        int length = 0;
+        for (uint32_t l = lanes.first; l <= lanes.last; l *= 2)
+            add_set(&tallies[length++], cell_id, n, m, l, count);
+        free(count);
+        free(cell_id);
+        grid_free(&grid);
+        points_free(&points);
+    }
+    int length = 0;
+    for (uint32_t l = lanes.first; l <= lanes.last; l *= 2) {
+        const struct tally *t = &tallies[length++];
+        row("%s_%u_%u\t%u\t%.0f\t%u\t%.4g\t%.6g\t%.6g\t%.6g\t%.6g",
+            name, l, n, n, t->cells / sets, l, t->others / sets,
+            t->pairs / sets, t->pairs_expected / sets, t->losers / sets,
+            t->losers_expected / sets);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct experiment e = experiment_begin(argc, argv);
+    uint32_t n = parameter(&e, "POINTS", 1 << 14, 1 << 10, 1 << 25);
+    int sets = parameter(&e, "SETS", 10, 1, MANY);
+    while (n & (n - 1))
+        n &= n - 1; // a power of two, so that all groups are full
+    columns(&e, "name n cells lanes others pairs pairs_expected losers "
+                "losers_expected");
+    const struct range seeds = {1, sets}, cray = {64, 64};
+    print_tally("uniform", "uniform", n / 8, seeds, cray);
+    print_tally("uniform", "uniform", n * 8, seeds, cray);
+    const char *const names[] = {"uniform", "clustered", "kuzmin",
+                                 "two-clusters", "equal"};
+    for (int d = 0; d < 5; d++)
+        print_tally(names[d], names[d], n, seeds, (struct range){8, n});
+    for (uint32_t seed = 1; seed <= SETS; seed++) {
+        char name[40];
+        sprintf(name, "clusters-set-%u", seed);
+        print_tally(name, "clustered", n * 8,
+                    (struct range){seed, seed}, cray);
+    }
+    return 0;
+}

@@ -1,0 +1,57 @@
+// The spiral search beside chapter 4's, through indices like itself,
+// and with the points of a cell together, as the table has them, on
+// points of several kinds: the time, and the distances and cells a
+// point.
+//
+//     compare [POINTS [TRIALS]]
+#include "algorithms.h"
+#include "common/experiment.h"
+#include <omp.h>
+#include <stdio.h>
+
+static const struct {
+    const char *algorithm, *name;
+} searches[] = {{"cells-indices", "blocks"},
+                {"cells", "together"},
+                {"spiral", "spiral"}};
+static const char *const kinds[] = {"uniform", "clustered", "circle",
+                                    "kuzmin", "two-clusters"};
+enum { SEARCHES = 3, KINDS = sizeof kinds / sizeof *kinds };
+
+static void compare_on(const char *kind, uint32_t n, int trials)
+{
+    struct question question = kind_question(kind, n, 1);
+    struct answers answers = answers_allocate(n);
+    struct search search[SEARCHES];
+    struct trial trial[SEARCHES];
+    for (int k = 0; k < SEARCHES; k++) {
+        search[k] =
+            (struct search){find_algorithm(searches[k].algorithm)->run,
+                            question, &answers};
+        trial[k] =
+            (struct trial){.work = run_search, .context = &search[k]};
+    }
+    time_in_turn(trials, trial, SEARCHES);
+    question.threads = omp_get_num_procs();
+    for (int k = 0; k < SEARCHES; k++) {
+        struct counts counts = count_operations(
+            find_algorithm(searches[k].algorithm), &question, &answers);
+        row_of_times(&trial[k], 1, n, "%s_%s\t%u\t%.6g\t%.6g",
+                     searches[k].name, kind, n,
+                     (double)counts.distances / n,
+                     (double)counts.cells / n);
+    }
+    answers_free(&answers);
+    points_free(&question.points);
+}
+
+int main(int argc, char **argv)
+{
+    struct experiment e = experiment_begin(argc, argv);
+    uint32_t n = parameter(&e, "POINTS", 5000, 2, MANY);
+    int trials = parameter(&e, "TRIALS", 3, 1, MANY);
+    columns(&e, "name n distances cells ns:3");
+    for (int k = 0; k < KINDS; k++)
+        compare_on(kinds[k], n, trials);
+    return 0;
+}

@@ -1,0 +1,51 @@
+//> Declare the batch search
+// The driver of the fast searches: walks along the rows of the grid,
+// stages the candidates of up to QUERIES queries at a time, and lets a
+// kernel answer for each batch of them. What a kernel cannot certify is
+// answered exactly, query by query. Nearest and furthest are a kernel
+// and an exact query each; several searches share the staging.
+#pragma once
+#include "ch09-row-spans/batch.h"
+#include "ch09-row-spans/restore_order.h"
+
+enum { QUERIES = 40, CHUNK = 1024 };
+
+// Answers for sorted point s. Found is what the kernel has found but
+// could not certify, or has the index NO_INDEX.
+typedef void exact_query(const struct scene *scene, const void *context,
+                         uint32_t s, struct neighbor *found,
+                         struct counts *counts);
+
+//> Hold a search of the driver
+struct batch_search {
+    batch_kernel *kernel;
+    double max_reach; // of a staging buffer for which the kernel is any
+                      // good; INFINITY: all
+    exact_query *exact;
+    const void *context; // for exact
+    struct neighbor *results;
+    const uint32_t *inverse; // sorted point s has results[inverse[s]]
+};
+//<
+
+// Answers for the sorted points begin .. end - 1, begin < end, on one
+// thread, by so many searches.
+void answer_chunk(const struct scene *scene,
+                  const struct batch_search *searches, int count,
+                  uint32_t begin, uint32_t end, struct counts *counts);
+
+//> Share out chunks
+// Does some work for the points begin .. end - 1, and counts it.
+typedef void chunk_function(const void *context, uint32_t begin,
+                            uint32_t end, struct counts *counts);
+
+// For all points of the question in chunks, by all its threads.
+void share_chunks(const struct question *question, chunk_function *work,
+                  const void *context);
+//<
+
+// Answers for all sorted points, by all threads of the question.
+void answer_all(const struct question *question,
+                const struct scene *scene,
+                const struct batch_search *searches, int count);
+//<

@@ -1,0 +1,223 @@
+//> Cut the box into cells of candidates
+// A quadtree of squares, each with the corners that can be the furthest
+// for a point in it, until one corner is left. Coordinates are measured
+// from the box's lower left, so that they are as exact as the box is
+// large. Whether a is further than b is decided by |q - a|^2 - |q -
+// b|^2, which changes evenly with q: in a square it is least in one of
+// the four corners of the square. Squared distances, computed here or
+// there, err by less than 2^-50 of that of the box's diagonal, so 2^-46
+// is a safe margin.
+#include "ch10-furthest/candidate_grid.h"
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+//> Hold a candidate grid in the making
+// What is known while the grid is made.
+struct making {
+    struct points points; // the corners, from the lower left
+    double width, height; // of the box
+    double margin;        // in squared distances
+    size_t enough;        // entries in all lists
+    struct candidate_grid *grid;
+    struct workspace *workspace;
+};
+
+// Cells left .. left + side - 1 in rows bottom and so on.
+struct square {
+    uint32_t left, bottom, side;
+};
+//<
+
+//> Keep what can be the furthest in a square
+// Of the corners from[0 .. count-1], all but those that are nearer, to
+// every point in the square, than the one furthest from its middle.
+// The square is taken a little larger than it is, for rounding.
+static uint32_t keep_far(const struct making *making,
+                         struct square square, const uint32_t *from,
+                         uint32_t count, uint32_t *to)
+{
+    const struct points p = making->points;
+    const double width = making->width / making->grid->side;
+    const double height = making->height / making->grid->side;
+    const double x = (square.left + 0.5 * square.side) * width;
+    const double y = (square.bottom + 0.5 * square.side) * height;
+    const double right = 0.5 * square.side * width * (1 + 0x1p-20);
+    const double up = 0.5 * square.side * height * (1 + 0x1p-20);
+    double max2 = -1;
+    uint32_t far = 0, kept = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        double d2 = distance2(p.x[from[k]] - x, p.y[from[k]] - y);
+        if (d2 > max2)
+            max2 = d2, far = from[k];
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t b = from[k];
+        double d2 = distance2(p.x[b] - x, p.y[b] - y);
+        double change = 2 * (fabs(p.x[far] - p.x[b]) * right +
+                             fabs(p.y[far] - p.y[b]) * up);
+        if (!(max2 - d2 > change + making->margin))
+            to[kept++] = b;
+    }
+    return kept;
+}
+//<
+
+//> Give a square its list
+// All its cells share it.
+static uint32_t add_list(const struct making *making,
+                         const uint32_t *list, uint32_t count)
+{
+    struct candidate_grid *grid = making->grid;
+    size_t needed = grid->length + count + 1;
+    if (needed > grid->room) {
+        uint32_t *old = grid->list;
+        grid->room = 2 * needed;
+        grid->list =
+            workspace_take(making->workspace, grid->room, sizeof *old);
+        if (old)
+            memcpy(grid->list, old, grid->length * sizeof *old);
+    }
+    uint32_t *entry = grid->list + grid->length;
+    entry[0] = count;
+    memcpy(entry + 1, list, count * sizeof *list);
+    uint32_t begin = grid->length;
+    grid->length = needed;
+    return begin;
+}
+
+static void give_list(const struct making *making, struct square square,
+                      const uint32_t *list, uint32_t count)
+{
+    struct candidate_grid *grid = making->grid;
+    uint32_t entry =
+        count == 1 ? list[0]
+                   : grid->corners + add_list(making, list, count);
+    for (uint32_t row = 0; row < square.side; row++) {
+        uint32_t *cell = grid->cell +
+                         (size_t)(square.bottom + row) * grid->side +
+                         square.left;
+        for (uint32_t column = 0; column < square.side; column++)
+            cell[column] = entry;
+    }
+}
+//<
+
+//> Divide a square
+// Into four, until one corner is left, or it is a cell, or the lists
+// get too long. to has room for all lists that this one comes from.
+static void divide(const struct making *making, struct square square,
+                   const uint32_t *from, uint32_t count, uint32_t *to)
+{
+    uint32_t kept = keep_far(making, square, from, count, to);
+    if (kept == 1 || square.side == 1 ||
+        making->grid->length > making->enough) {
+        give_list(making, square, to, kept);
+        return;
+    }
+    uint32_t half = square.side / 2;
+    for (int quarter = 0; quarter < 4; quarter++) {
+        struct square part = {square.left + quarter % 2 * half,
+                              square.bottom + quarter / 2 * half, half};
+        divide(making, part, to, kept, to + kept);
+    }
+}
+//<
+
+//> Choose how many cells of candidates
+// Eight to thirty-two points to a cell, but no more cells
+// than lists of all corners in one row of them have room for.
+enum { POINTS_PER_CANDIDATE_CELL = 8, MAX_LISTED = 1 << 24 };
+
+static uint32_t side_for(uint32_t n, uint32_t corners)
+{
+    double most = (double)MAX_LISTED / corners;
+    uint32_t side = 1;
+    while (4.0 * side * side <= (double)n / POINTS_PER_CANDIDATE_CELL &&
+           2.0 * side <= most)
+        side *= 2;
+    return side;
+}
+//<
+
+//> Find the box of the corners
+static void find_box(struct points p, double *left, double *right,
+                     double *bottom, double *top)
+{
+    *left = *right = p.x[0];
+    *bottom = *top = p.y[0];
+    for (uint32_t k = 1; k < p.n; k++) {
+        *left = fmin(*left, p.x[k]);
+        *right = fmax(*right, p.x[k]);
+        *bottom = fmin(*bottom, p.y[k]);
+        *top = fmax(*top, p.y[k]);
+    }
+}
+//<
+
+//> Make the candidate grid
+static double cells_per(uint32_t side, double length)
+{
+    double per = side / length;
+    return isfinite(per) ? per : 0; // 0 * 0 is in the first
+}
+
+static void make_lists(struct making *making, uint32_t side, uint32_t h)
+{
+    uint32_t levels = 2;
+    for (uint32_t k = side; k > 1; k /= 2)
+        levels++;
+    uint32_t *from = workspace_take(making->workspace, h, sizeof *from);
+    uint32_t *room = workspace_take(making->workspace,
+                                    (size_t)levels * h, sizeof *room);
+    for (uint32_t k = 0; k < h; k++)
+        from[k] = k;
+    making->enough = (size_t)4 * side * (h + side);
+    divide(making, (struct square){0, 0, side}, from, h, room);
+}
+
+static struct points measured_from(struct points p, double left,
+                                   double bottom,
+                                   struct workspace *workspace)
+{
+    struct points measured = {
+        p.n, workspace_take(workspace, p.n, sizeof *p.x),
+        workspace_take(workspace, p.n, sizeof *p.y)};
+    for (uint32_t k = 0; k < p.n; k++) {
+        measured.x[k] = p.x[k] - left;
+        measured.y[k] = p.y[k] - bottom;
+    }
+    return measured;
+}
+
+struct candidate_grid candidate_grid_make(const struct corners *corners,
+                                          uint32_t n,
+                                          struct workspace *workspace)
+{
+    const struct points p = corners->points;
+    double left, right, bottom, top;
+    find_box(p, &left, &right, &bottom, &top);
+    const double width = right - left, height = top - bottom;
+    const double diagonal2 = distance2(width, height);
+    const bool fits = diagonal2 > LEAST_D2 && diagonal2 < MOST_D2;
+    const uint32_t side = fits ? side_for(n, p.n) : 1;
+    struct candidate_grid grid = {.side = side, .corners = p.n};
+    if (fits) { // else any x * 0 is 0, and in the only one
+        grid.left = left, grid.across = cells_per(side, width);
+        grid.bottom = bottom, grid.up = cells_per(side, height);
+    }
+    grid.cell = workspace_take(workspace, (size_t)side * side,
+                               sizeof *grid.cell);
+    struct making making = {
+        .points = measured_from(p, left, bottom, workspace),
+        .width = width,
+        .height = height,
+        .margin = fits ? diagonal2 * 0x1p-46 : INFINITY,
+        .grid = &grid,
+        .workspace = workspace};
+    // If all squared distances vanish, one corner is enough.
+    make_lists(&making, side, diagonal2 > 0 ? p.n : 1);
+    return grid;
+}
+//<
+//<

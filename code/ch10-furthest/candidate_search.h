@@ -1,0 +1,11 @@
+//> Declare the search in the candidate grid
+#pragma once
+#include "ch10-furthest/candidate_grid.h"
+
+// The furthest of the corners for every point of the question, by its
+// threads.
+void search_candidate_grid(const struct question *question,
+                           const struct corners *corners,
+                           const struct candidate_grid *grid,
+                           struct answers *answers);
+//<

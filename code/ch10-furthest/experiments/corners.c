@@ -1,0 +1,67 @@
+// How many corners the hull of uniform points has, averaged over many
+// sets, beside the expectation of Renyi and Sulanke (1963); how many of
+// them are the furthest of anybody; and the corners of a circle's
+// points.
+//
+//     corners [MOST [SETS]]
+#include "ch10-furthest/furthest_hull.h"
+#include "common/allocate.h"
+#include "common/experiment.h"
+#include <stdlib.h>
+#include <string.h>
+
+static double corners_expected(double n)
+{
+    const double gamma = 0.57721566490153286; // Euler's constant
+    return 8.0 / 3 * (log(n) + gamma - log(2));
+}
+
+struct tally {
+    double corners, asked;
+};
+
+static void count_corners(const struct question *question,
+                          struct tally *tally)
+{
+    const uint32_t n = question->points.n;
+    struct answers answers = answers_allocate(n);
+    struct corners corners = corners_find(question);
+    search_corners(question, &corners, &answers);
+    uint8_t *asked = allocate(n, 1);
+    memset(asked, 0, n);
+    for (uint32_t i = 0; i < n; i++)
+        asked[answers.furthest[i]] = 1;
+    for (uint32_t i = 0; i < n; i++)
+        tally->asked += asked[i];
+    tally->corners += corners.points.n;
+    free(asked);
+    corners_free(&corners);
+    answers_free(&answers);
+}
+
+static void print_count(const char *kind, uint32_t n, int sets)
+{
+    struct tally tally = {0, 0};
+    for (int set = 0; set < sets; set++) {
+        struct question question = kind_question(kind, n, set + 1);
+        count_corners(&question, &tally);
+        points_free(&question.points);
+    }
+    row("%s_%u\t%u\t%d\t%.5g\t%.5g\t%.4g", kind, n, n, sets,
+        tally.corners / sets, corners_expected(n), tally.asked / sets);
+}
+
+int main(int argc, char **argv)
+{
+    enum { FEW = 10000 };
+    struct experiment e = experiment_begin(argc, argv);
+    uint32_t most = parameter(&e, "MOST", 10000, 100, MANY);
+    int sets = parameter(&e, "SETS", 20, 1, MANY);
+    columns(&e, "name n sets corners expected asked");
+    for (uint64_t n = 100; n <= most; n *= 10)
+        print_count("uniform", n,
+                    n > FEW ? 1 + sets * FEW / n : (uint32_t)sets);
+    for (uint64_t n = 100; n <= FEW; n *= 10)
+        print_count("circle", n, 1);
+    return 0;
+}

@@ -1,0 +1,165 @@
+//> Find the corners by their cells
+// Leaves out whole cells, then finds the corners among what is left. A
+// point that has one in each of the four directions is
+// their mean, with some weights, and each of them is further away than
+// a cell is wide and high: a surplus of the square of a cell's diagonal
+// at least.
+#include "ch10-furthest/hull_candidates.h"
+#include <stdbool.h>
+#include <string.h>
+
+//> Hold a range of columns
+// From the first to the last occupied column; none: first > last.
+struct columns {
+    int64_t first, last;
+};
+
+static const struct columns NONE = {INT64_MAX / 2, INT64_MIN / 2};
+//<
+
+//> See what is occupied
+static struct columns occupied(const struct sorted *sorted,
+                               uint32_t row)
+{
+    const struct axis *across = &sorted->grid.x;
+    const uint32_t *start = sorted->cells.start + row * across->count;
+    if (start[0] == start[across->count])
+        return NONE;
+    const double *x = sorted->points.x;
+    return (struct columns){
+        axis_cell(across, x[start[0]]),
+        axis_cell(across, x[start[across->count] - 1])};
+}
+
+// Both of them and all between.
+static struct columns join(struct columns a, struct columns b)
+{
+    return (struct columns){a.first < b.first ? a.first : b.first,
+                            a.last > b.last ? a.last : b.last};
+}
+
+// Those that are in both.
+static struct columns meet(struct columns a, struct columns b)
+{
+    return (struct columns){a.first > b.first ? a.first : b.first,
+                            a.last < b.last ? a.last : b.last};
+}
+//<
+
+//> Find what is enclosed
+// In every row, the columns that have points two rows or more away
+// and two columns or more, in each of the four directions.
+static struct columns *enclosed_columns(const struct sorted *sorted,
+                                        struct workspace *workspace)
+{
+    const uint32_t rows = sorted->grid.y.count;
+    struct columns *enclosed =
+        workspace_take(workspace, rows, sizeof *enclosed);
+    struct columns below = NONE, above = NONE;
+    for (uint32_t row = 0; row < rows; row++) {
+        if (row >= 2)
+            below = join(below, occupied(sorted, row - 2));
+        enclosed[row] = below;
+    }
+    for (uint32_t row = rows; row-- > 0;) {
+        if (row + 2 < rows)
+            above = join(above, occupied(sorted, row + 2));
+        enclosed[row] = meet(enclosed[row], above);
+        enclosed[row].first += 2;
+        enclosed[row].last -= 2;
+    }
+    return enclosed;
+}
+//<
+
+//> Hold the hull candidates
+struct hull_candidates {
+    struct points points;
+    uint32_t *point; // their indices
+};
+//<
+
+//> Take what is not enclosed
+// Of a row, what is before the enclosed columns, and what is after.
+struct spans {
+    uint32_t begin[2], end[2];
+};
+
+static struct spans spans_of(const struct sorted *sorted, uint32_t row,
+                             struct columns enclosed)
+{
+    const uint32_t columns = sorted->grid.x.count;
+    const uint32_t *start = sorted->cells.start + row * columns;
+    uint32_t first = columns, last = columns;
+    if (enclosed.first <= enclosed.last)
+        first = enclosed.first, last = enclosed.last + 1;
+    return (struct spans){{start[0], start[last]},
+                          {start[first], start[columns]}};
+}
+
+static void take(const struct sorted *sorted, uint32_t begin,
+                 uint32_t end, struct hull_candidates *found)
+{
+    const uint32_t at = found->points.n, count = end - begin;
+    memcpy(found->points.x + at, sorted->points.x + begin,
+           count * sizeof(double));
+    memcpy(found->points.y + at, sorted->points.y + begin,
+           count * sizeof(double));
+    memcpy(found->point + at, sorted->cells.point + begin,
+           count * sizeof(uint32_t));
+    found->points.n += count;
+}
+
+static struct hull_candidates take_candidates(
+    const struct sorted *sorted, const struct columns *enclosed,
+    struct workspace *workspace)
+{
+    const uint32_t rows = sorted->grid.y.count;
+    uint32_t count = 0;
+    for (uint32_t row = 0; row < rows; row++) {
+        struct spans spans = spans_of(sorted, row, enclosed[row]);
+        for (int k = 0; k < 2; k++)
+            count += spans.end[k] - spans.begin[k];
+    }
+    struct hull_candidates found = {
+        {count, workspace_take(workspace, count, sizeof(double)),
+         workspace_take(workspace, count, sizeof(double))},
+        workspace_take(workspace, count, sizeof(uint32_t))};
+    found.points.n = 0;
+    for (uint32_t row = 0; row < rows; row++) {
+        struct spans spans = spans_of(sorted, row, enclosed[row]);
+        for (int k = 0; k < 2; k++)
+            take(sorted, spans.begin[k], spans.end[k], &found);
+    }
+    return found;
+}
+//<
+
+//> Make sure that a cell is wide enough
+// Half of its diagonal, for what rounding did to its borders.
+static bool cells_are_wide(const struct grid *grid)
+{
+    const struct axis *x = &grid->x, *y = &grid->y;
+    double width = x->border[x->count] - x->border[0];
+    double height = y->border[y->count] - y->border[0];
+    return distance2(width / x->count, height / y->count) / 4 >
+           CORNER_SURPLUS * distance2(width, height);
+}
+//<
+
+struct corners corners_of_sorted(const struct question *question,
+                                 const struct sorted *sorted,
+                                 struct workspace *workspace)
+{
+    if (!cells_are_wide(&sorted->grid))
+        return corners_find(question);
+    struct mark mark = workspace_mark(workspace);
+    struct columns *enclosed = enclosed_columns(sorted, workspace);
+    struct hull_candidates found =
+        take_candidates(sorted, enclosed, workspace);
+    struct corners corners =
+        corners_among(found.points, found.point, question->threads);
+    workspace_release(workspace, mark);
+    return corners;
+}
+//<

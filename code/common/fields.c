@@ -1,0 +1,120 @@
+// Everything looks at the line from left to right. Decimal points are
+// points because no program of ours leaves the C locale.
+#include "common/fields.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+const char *field_end(const char *line, char separator)
+{
+    bool quoted = false;
+    for (; *line && (quoted || *line != separator); line++)
+        quoted ^= *line == '"';
+    return line;
+}
+
+char separator_of(const char *line)
+{
+    for (const char *separator = ";,\t"; *separator; separator++)
+        if (*field_end(line, *separator))
+            return *separator;
+    return ' ';
+}
+
+// The field behind this one; NULL if it is the last.
+static const char *next_field(const char *field, char separator)
+{
+    const char *end = field_end(field, separator);
+    if (!*end)
+        return NULL;
+    return end + 1 + strspn(end + 1, " ");
+}
+
+int count_fields(const char *line, char separator)
+{
+    int count = 1;
+    while ((line = next_field(line, separator)))
+        count++;
+    return count;
+}
+
+const char *find_field(const char *line, char separator, int column)
+{
+    while (line && --column > 0)
+        line = next_field(line, separator);
+    return line;
+}
+//> Read the number in a field
+bool read_number(const char *field, char separator, double *number)
+{
+    char *end;
+    if (!field || *field == '\t' ||
+        tolower((unsigned char)field[strspn(field, "+-0")]) == 'x')
+        return false;
+    *number = strtod(field, &end);
+    if (end == field)
+        return false;
+    if (separator != ' ')
+        end += strspn(end, " ");
+    return *end == 0 || *end == separator;
+}
+//<
+
+bool has_vanished(const char *field, double number)
+{
+    char first = field[strspn(field, "+-0.")];
+    return number == 0 && '1' <= first && first <= '9';
+}
+bool is_count(double number)
+{
+    return number >= 1 && number <= UINT32_MAX &&
+           number == floor(number);
+}
+static bool is_missing(const char *field, size_t length)
+{
+    static const char *const missing[] = {"NA", "N/A", "NULL", "None"};
+    for (size_t k = 0; k < sizeof missing / sizeof *missing; k++)
+        if (length == strlen(missing[k]) &&
+            strncasecmp(field, missing[k], length) == 0)
+            return true;
+    return false;
+}
+
+// Whether these are letters in the places of digits, as in l.5 or O2.
+static bool is_misspelled(const char *field, size_t length)
+{
+    return strcspn(field, "0123456789") < length &&
+           strspn(field, "0123456789.+-lIOoSBZ|") >= length;
+}
+
+// The length of a sign or a digit of another script, in UTF-8: of the
+// minus signs and dashes, the wide digits and the Arabic ones; or 0.
+static size_t foreign_sign(const char *field)
+{
+    const unsigned char *c = (const unsigned char *)field;
+    if (c[0] == 0xe2 && c[1] && c[2])
+        return 3;
+    if (c[0] == 0xef && c[1] == 0xbc && c[2] && c[2] <= 0x99)
+        return 3;
+    if (c[0] == 0xd9 && 0xa0 <= c[1] && c[1] <= 0xa9)
+        return 2;
+    return 0;
+}
+
+bool is_word(const char *field, char separator)
+{
+    if (!field)
+        return false;
+    if (*field == '"')
+        field++, separator = '"';
+    for (size_t sign; (sign = foreign_sign(field));)
+        field += sign;
+    size_t length = strcspn(field, "\" \t,;");
+    double number;
+    return !is_missing(field, length) &&
+           !is_misspelled(field, length) &&
+           !read_number(field, separator, &number) &&
+           (isalpha((unsigned char)*field) || *field == '_' ||
+            (unsigned char)*field >= 0x80);
+}

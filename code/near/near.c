@@ -1,0 +1,193 @@
+// The program near: gets points, has an algorithm of the book answer
+// for all of them, and writes the answers, the times, or a summary.
+#include "algorithms.h"
+#include "common/clock.h"
+#include "common/fail.h"
+#include "common/workspace.h"
+#include "near/check.h"
+#include "near/help.h"
+#include "near/input.h"
+#include "near/options.h"
+#include "near/progress.h"
+#include "near/summary.h"
+#include "near/threads.h"
+#include "near/write.h"
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// A file opened while standard output or error is closed would take its
+// place, and get what was meant for it.
+static void insist_on_output(void)
+{
+    if (fcntl(STDERR_FILENO, F_GETFD) < 0)
+        exit(2);
+    if (fcntl(STDOUT_FILENO, F_GETFD) < 0)
+        fail("cannot write standard output: it is closed");
+}
+
+// One if it answers all that can be answered, else one for the nearest
+// and one for the furthest.
+struct plan {
+    const struct algorithm *algorithms[2];
+    int count;
+    unsigned answers;     // that they give together
+    struct summary ns[2]; // how long each took
+};
+
+static void plan_for(struct plan *plan,
+                     const struct algorithm *algorithm)
+{
+    if (!algorithm || (plan->count && plan->algorithms[0] == algorithm))
+        return;
+    plan->algorithms[plan->count++] = algorithm;
+    plan->answers |= algorithm->answers;
+}
+
+static struct plan make_plan(const struct options *options)
+{
+    struct plan plan = {0};
+    enum geometry geometry = options->geometry;
+    if (options->algorithm) {
+        plan_for(&plan, options->algorithm);
+    } else {
+        plan_for(&plan, fastest_algorithm(geometry, NEAREST));
+        plan_for(&plan, fastest_algorithm(geometry, FURTHEST));
+    }
+    return plan;
+}
+
+static double answer_once(const struct algorithm *algorithm,
+                          const struct question *question,
+                          struct answers *answers, double *build_ns)
+{
+    answers->built_ns = 0;
+    progress_start(algorithm->name, 0);
+    int64_t start = clock_ns();
+    algorithm->run(question, answers);
+    int64_t end = clock_ns();
+    progress_stop();
+    *build_ns = answers->built_ns ? answers->built_ns - start : 0;
+    return end - start;
+}
+
+static struct summary answer(const struct algorithm *algorithm,
+                             const struct options *options,
+                             const struct question *question,
+                             struct answers *answers)
+{
+    struct counts counts = {0};
+    if (options->timing) {
+        progress_start("counting", 0);
+        counts = count_operations(algorithm, question, answers);
+        progress_stop();
+    }
+    double *times = allocate(options->trials, sizeof *times);
+    for (int trial = 0; trial < options->trials; trial++) {
+        double build;
+        times[trial] =
+            answer_once(algorithm, question, answers, &build);
+        if (options->timing)
+            printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64
+                   "\n",
+                   algorithm->name, question->points.n,
+                   question->threads, build, times[trial] - build,
+                   times[trial], counts.distances);
+    }
+    struct summary summary = summarize(times, options->trials);
+    free(times);
+    return summary;
+}
+
+static bool report_check(FILE *out, const char *kind,
+                         struct verdict verdict, uint32_t n)
+{
+    if (verdict.wrong)
+        fprintf(out,
+                "check: %" PRIu32 " of %" PRIu32
+                " %s neighbors are wrong, the first that of "
+                "point %" PRIu32 "\n",
+                verdict.wrong, n, kind, verdict.first);
+    else
+        fprintf(out, "check: all %" PRIu32 " %s neighbors are right\n",
+                n, kind);
+    return verdict.wrong == 0;
+}
+
+static bool check(const struct options *options,
+                  const struct question *question,
+                  const struct answers *answers)
+{
+    uint32_t n = question->points.n;
+    bool busy = options->timing ||
+                (options->output && strcmp(options->output, "-") == 0);
+    FILE *out = busy ? stderr : stdout;
+    struct verdicts found = check_answers(question, answers);
+    bool right = true;
+    if (answers->nearest)
+        right &= report_check(out, "nearest", found.nearest, n);
+    if (answers->furthest)
+        right &= report_check(out, "furthest", found.furthest, n);
+    return right;
+}
+
+static void print_times(const struct plan *plan, int threads)
+{
+    for (int k = 0; k < plan->count; k++)
+        printf("time      %.3g s, %s, at most %d thread%s\n",
+               1e-9 * plan->ns[k].median, plan->algorithms[k]->name,
+               threads, threads > 1 ? "s" : "");
+}
+
+static int near(const struct options *options)
+{
+    struct plan plan = make_plan(options);
+    struct points points = get_points(options, plan.answers);
+    struct workspace workspace = {0};
+    struct question question = {points, get_space(options, points),
+                                threads_for(options->threads, points.n),
+                                .workspace = &workspace};
+    struct answers answers = answers_for(points.n, plan.answers);
+    if (options->output)
+        write_open(options->output);
+    if (options->timing)
+        puts("algorithm\tn\tthreads\tbuild_ns\tquery_ns\ttotal_ns\t"
+             "distances");
+    for (int k = 0; k < plan.count; k++)
+        plan.ns[k] =
+            answer(plan.algorithms[k], options, &question, &answers);
+    warn_of_range(&question, &answers);
+
+    bool right = !options->check || check(options, &question, &answers);
+    if (options->output && right)
+        write_answers(points, &answers);
+    else
+        write_abandon(); // wrong answers are not worth a file
+    if (!options->output && !options->timing) {
+        print_distances(options, &question, &answers);
+        print_times(&plan, question.threads);
+    }
+    workspace_free(&workspace);
+    answers_free(&answers);
+    points_free(&points);
+    return right ? 0 : 1;
+}
+
+int main(int argc, char **argv)
+{
+    fail_as("near");
+    insist_on_output();
+    let_waiting_threads_sleep(argv);
+    struct options options = parse_options(argc, argv);
+    int status = 0;
+    if (options.help)
+        print_help();
+    else if (options.list)
+        print_list();
+    else
+        status = near(&options);
+    return status;
+}

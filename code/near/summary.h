@@ -1,0 +1,14 @@
+// What near says when it is done.
+#pragma once
+#include "common/question.h"
+#include "near/options.h"
+
+// Prints a warning where squared distances leave the range of a double.
+void warn_of_range(const struct question *question,
+                   const struct answers *answers);
+
+// Prints how many points there are, in which geometry, and the mean of
+// each kind of distance that was asked for.
+void print_distances(const struct options *options,
+                     const struct question *question,
+                     const struct answers *answers);

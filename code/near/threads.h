@@ -1,0 +1,16 @@
+// The threads that near works with.
+#pragma once
+#include <stdint.h>
+
+enum { MAX_THREADS = 1024 }; // that can be asked for
+
+// Starts the program once more, with threads that sleep while they wait
+// for each other: those that look for work all the time take it from
+// other programs, and from each other. The OpenMP library reads what it
+// is to do before main begins. Returns where that is settled already,
+// or cannot be had. To be called first.
+void let_waiting_threads_sleep(char **argv);
+
+// How many to use for n points, if so many are wanted, or 0 if that was
+// left open. Fails where the system does not start them.
+int threads_for(int wanted, uint32_t n);

@@ -1,0 +1,5 @@
+//> Say what a box is
+struct box {
+    int low, end;
+};
+//<

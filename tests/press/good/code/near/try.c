@@ -1,0 +1,4 @@
+int tries = 3;
+//> Try it
+int main(void) { return 0; }
+//<
