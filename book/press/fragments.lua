@@ -42,16 +42,20 @@ local function trim(fragment)
   while blank(items[#items]) do table.remove(items) end
 end
 
--- Whether the book shows every line of this file: not what reads and
--- reports, nor what only uses the modules.
+-- The same in the instructions of AVX2 as is printed in those of AVX-512.
+local twins = {
+  ["code/ch06-pack-scan/avx2.h"] = true,
+  ["code/ch06-pack-scan/avx2.c"] = true,
+  ["code/ch08-vector-spiral/lanes_avx2.h"] = true,
+  ["code/ch08-vector-spiral/fused_avx2.c"] = true,
+  ["code/ch09-row-spans/avx2_spans.c"] = true,
+}
+
+-- Whether the book shows every line of this file: the modules of the
+-- chapters, but neither the workbench nor what only uses the modules.
 local function is_taught(path)
-  return not (path:match("/experiments/") or path:match("^code/near/")
-    or path:match("^code/peers/")
-    or path:match("^code/common/read_points%.")
-    or path:match("^code/common/lines%.")
-    or path:match("^code/common/fields%.")
-    or path:match("^code/common/report%.")
-    or path:match("^code/common/experiment%."))
+  return path:match("^code/ch%d%d") ~= nil
+    and not path:match("/experiments/") and not twins[path]
 end
 
 local function read_file(path, found)
