@@ -66,7 +66,8 @@ count() { # label, geometry, quarter
 if has valgrind && [ "$(uname -m)" = x86_64 ]; then
     ${CC:-cc} -std=c17 -O3 -march=x86-64-v3 -ffp-contract=off \
         -fopenmp -D_GNU_SOURCE -Icode code/ch02-all-pairs/*.c \
-        code/ch02-all-pairs/experiments/once.c code/common/*.c \
+        code/ch02-all-pairs/experiments/once.c \
+        code/ch02-all-pairs/experiments/rows.c code/common/*.c \
         -lm -o "$folder/once"
     count standard 1 0
     count wraparound 2 0

@@ -19,6 +19,7 @@ trap 'rm -rf "$folder"' EXIT
 ${CC:-cc} -std=c17 -O3 -march=x86-64-v3 -ffp-contract=off -fopenmp \
     -D_GNU_SOURCE -Icode -o "$folder/one_search" \
     code/ch04-cell-sort/experiments/one_search.c \
+    code/ch04-cell-sort/experiments/bench.c \
     code/ch04-cell-sort/[a-z]*.c code/common/[a-z]*.c -lm \
     2>"$folder/errors" || committed "the program does not compile for AVX2"
 one() { # name kind c way function

@@ -3,17 +3,11 @@
 // cannot be written ends the program at once: a table that took an hour
 // is not lost without a word at its end.
 #include "common/experiment.h"
-#include "common/fail.h"
-#include "common/generate.h"
 #include "common/report.h"
 #include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <stdarg.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 //> Read the parameters of an experiment
 struct experiment experiment_begin(int argc, char **argv)
@@ -134,14 +128,40 @@ void row_of_times(const struct trial *trials, int count, double divisor,
 //<
 
 //> Make a question to experiment with
+static struct taken {
+    void *memory;
+    struct taken *before;
+} * last_taken;
+
+static void *keep(void *memory)
+{
+    struct taken *taken = allocate(1, sizeof *taken);
+    *taken = (struct taken){memory, last_taken};
+    last_taken = taken;
+    return memory;
+}
+
+void *take(size_t count, size_t size)
+{
+    return keep(memset(allocate(count, size), 0, count * size));
+}
+
+void forget(void)
+{
+    while (last_taken) {
+        struct taken *taken = last_taken;
+        last_taken = taken->before;
+        free(taken->memory);
+        free(taken);
+    }
+}
+
 struct question kind_question(const char *kind, uint32_t n,
                               uint64_t seed)
 {
-    return (struct question){
-        .points = generate(find_distribution(kind), n, seed),
-        .space = {STANDARD, 1, 1},
-        .threads = 1,
-    };
+    struct points points = generate(find_distribution(kind), n, seed);
+    keep(points.x); // with y: one block
+    return (struct question){points, {STANDARD, 1, 1}, .threads = 1};
 }
 
 struct question uniform_question(enum geometry geometry, uint32_t n,
@@ -152,10 +172,41 @@ struct question uniform_question(enum geometry geometry, uint32_t n,
     return question;
 }
 
+struct answers *new_answers(uint32_t n, unsigned given)
+{
+    struct answers *answers = take(1, sizeof *answers);
+    if (given & NEAREST) {
+        answers->nearest = take(n, sizeof *answers->nearest);
+        answers->nearest2 = take(n, sizeof *answers->nearest2);
+    }
+    if (given & FURTHEST) {
+        answers->furthest = take(n, sizeof *answers->furthest);
+        answers->furthest2 = take(n, sizeof *answers->furthest2);
+    }
+    return answers;
+}
+
 void run_search(void *context)
 {
     struct search *search = context;
     search->search(&search->question, search->answers);
+}
+
+struct trial search_trial(search_function *search,
+                          const struct question *question,
+                          struct answers *answers)
+{
+    struct search *kept = take(1, sizeof *kept);
+    *kept = (struct search){search, *question, answers};
+    return (struct trial){.work = run_search, .context = kept};
+}
+
+uint32_t next_size(uint32_t n)
+{
+    uint32_t power = 1;
+    while (n / power >= 10)
+        power *= 10;
+    return (n / power < 3 ? 3 : 10) * power;
 }
 //<
 //<

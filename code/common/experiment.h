@@ -10,21 +10,30 @@
 //         uint32_t n = parameter(&e, "POINTS", 8192, 2, MANY);
 //         int trials = parameter(&e, "TRIALS", 5, 1, MANY);
 //         struct question question = uniform_question(STANDARD, n, 1);
-//         struct answers answers = answers_allocate(n);
-//         struct search plain = {naive, question, &answers};
-//         struct search fast = {tiles, question, &answers};
-//         struct trial versions[] = {{run_search, &plain},
-//                                    {run_search, &fast}};
+//         struct answers *answers = new_answers(n, BOTH);
+//         struct trial versions[] = {
+//             search_trial(naive, &question, answers),
+//             search_trial(tiles, &question, answers)};
 //         time_in_turn(trials, versions, 2);
 //         columns(&e, "name n naive_ns:3 tiles_ns:3");
 //         row_of_times(versions, 2, n, "points_%u\t%u", n, n);
-//         answers_free(&answers);
-//         points_free(&question.points);
 //         return 0;
 //     }
+//
+// The driver owns the memory of questions, answers and trials. What
+// main itself still holds when it returns, the system takes back.
 #pragma once
+#include "algorithms.h"
 #include "common/clock.h"
-#include "common/question.h"
+#include "common/fail.h"
+#include "common/generate.h"
+#include "common/isa.h"
+#include "common/random.h"
+#include "common/workspace.h"
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 // More points, rows or trials than anybody waits for, and few enough
 // for an int.
@@ -74,20 +83,36 @@ void row_of_times(const struct trial *trials, int count, double divisor,
                   const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+// Memory for count elements of size bytes, cleared. The driver keeps
+// it, with all that is declared below, until forget gives it up, before
+// the next of several rows, or until the program ends.
+void *take(size_t count, size_t size);
+void forget(void);
+
 // A question about n points of a kind that generate knows, or about
 // uniform points, for one thread; the standard geometry, if no other is
-// given. Its points are released with points_free.
+// given.
 struct question kind_question(const char *kind, uint32_t n,
                               uint64_t seed);
 struct question uniform_question(enum geometry geometry, uint32_t n,
                                  uint64_t seed);
 
-// A whole search, to be timed: the context of run_search is a struct
-// search.
+// Room for these answers, a set of enum answer; the others are NULL.
+enum { BOTH = NEAREST | FURTHEST };
+struct answers *new_answers(uint32_t n, unsigned given);
+
+// A whole search, to be timed, of the question as it is now; the
+// context of run_search is a struct search.
 struct search {
     search_function *search;
     struct question question;
     struct answers *answers;
 };
 void run_search(void *context);
+struct trial search_trial(search_function *search,
+                          const struct question *question,
+                          struct answers *answers);
+
+// The next of the numbers of points 1000, 3000, 10000, 30000, ...
+uint32_t next_size(uint32_t n);
 //<

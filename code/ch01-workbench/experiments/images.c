@@ -2,8 +2,6 @@
 // they are from one point: plainly, to the closest image, and to the
 // furthest image. An empty line ends a row of the grid.
 #include "common/experiment.h"
-#include "common/geometry.h"
-#include <stdio.h>
 
 int main(int argc, char **argv)
 {

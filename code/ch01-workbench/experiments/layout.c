@@ -3,11 +3,7 @@
 // the points, and once more with a square root in it.
 //
 //     layout [POINTS [TRIALS]]
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include "common/geometry.h"
-#include <stdlib.h>
 
 //> Lay the points out in three ways
 struct record { // as a program about cities would have them
@@ -77,13 +73,13 @@ static void with_root(void *context)
 
 static struct layouts lay_out(uint32_t n)
 {
-    struct layouts l = {
-        .x = 0.5,
-        .y = 0.5,
-        .radius = 0.25,
-        .arrays = generate(find_distribution("uniform"), n, 1),
-        .records = allocate(n, sizeof *l.records),
-        .pairs = allocate(n, sizeof *l.pairs)};
+    struct layouts l = {.x = 0.5,
+                        .y = 0.5,
+                        .radius = 0.25,
+                        .arrays =
+                            uniform_question(STANDARD, n, 1).points,
+                        .records = take(n, sizeof *l.records),
+                        .pairs = take(n, sizeof *l.pairs)};
     for (uint32_t j = 0; j < n; j++) {
         l.pairs[j] = (struct place){l.arrays.x[j], l.arrays.y[j]};
         l.records[j] = (struct record){
@@ -113,8 +109,5 @@ int main(int argc, char **argv)
                  sizeof(struct place));
     row_of_times(&versions[2], 1, n, "arrays\t%zu", array);
     row_of_times(&versions[3], 1, n, "root\t%zu", array);
-    free(l.records);
-    free(l.pairs);
-    points_free(&l.arrays);
     return 0;
 }

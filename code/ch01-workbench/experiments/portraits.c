@@ -2,8 +2,6 @@
 //
 //     portraits [POINTS]
 #include "common/experiment.h"
-#include "common/generate.h"
-#include <stdio.h>
 
 int main(int argc, char **argv)
 {

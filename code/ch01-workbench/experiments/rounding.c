@@ -5,8 +5,6 @@
 //
 //     rounding [POINTS]
 #include "common/experiment.h"
-#include "common/generate.h"
-#include "common/geometry.h"
 
 //> Contract the distance
 static double contracted2(double dx, double dy)
@@ -26,7 +24,8 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 1000, 2, MANY);
-    struct points points = generate(find_distribution("uniform"), n, 1);
+    const struct points points =
+        uniform_question(STANDARD, n, 1).points;
 
     uint64_t all = 0, contracted = 0, blind = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -42,6 +41,5 @@ int main(int argc, char **argv)
     row("all\t%ju", (uintmax_t)all);
     row("contracted\t%ju", (uintmax_t)contracted);
     row("blind\t%ju", (uintmax_t)blind);
-    points_free(&points);
     return 0;
 }

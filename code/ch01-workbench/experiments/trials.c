@@ -2,11 +2,7 @@
 // times come to, the clock's smallest step, and every time in order.
 //
 //     trials [TRIALS]
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include "common/geometry.h"
-#include <stdlib.h>
 
 static double sweep(const struct points *points)
 {
@@ -52,9 +48,9 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     int trials = parameter(&e, "TRIALS", 1000, 1, MANY);
-    struct points points =
-        generate(find_distribution("uniform"), 10000, 1);
-    double *times = allocate(trials, sizeof *times);
+    const struct points points =
+        uniform_question(STANDARD, 10000, 1).points;
+    double *times = take(trials, sizeof *times);
 
     //> Time every sweep
     volatile double answer;
@@ -70,7 +66,5 @@ int main(int argc, char **argv)
     for (int trial = 0; trial < trials; trial++)
         row("trial\t%d\t%.0f", trial + 1, times[trial]);
     print_summary(times, trials);
-    free(times);
-    points_free(&points);
     return 0;
 }

@@ -5,11 +5,6 @@
 //
 //     chase [LINES [STEPS [TRIALS]]]
 #include "common/experiment.h"
-#include "common/fail.h"
-#include "common/random.h"
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <sys/mman.h>
 
 enum { LINE = 64, PAGE = 4096 };
@@ -54,23 +49,26 @@ static void step_on(void *context)
     walk->at = at;
 }
 
+static char *small_pages(uint64_t bytes)
+{
+    char *memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
+                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+        fail("not enough memory for %ju bytes", (uintmax_t)bytes);
+#ifdef MADV_NOHUGEPAGE
+    madvise(memory, bytes, MADV_NOHUGEPAGE);
+#endif
+    return memory;
+}
+
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "LINES", 1 << 13, 64, MANY);
     uint32_t steps = parameter(&e, "STEPS", 1 << 16, 1, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    uint64_t bytes = (uint64_t)most * PAGE + PAGE;
-    char *memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
-                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED)
-        fail("not enough memory for %u pages", most);
-#ifdef MADV_NOHUGEPAGE
-    madvise(memory, bytes, MADV_NOHUGEPAGE);
-#endif
-    uint32_t *order = malloc(most * sizeof *order);
-    if (!order)
-        fail("not enough memory for %u lines", most);
+    char *memory = small_pages((uint64_t)most * PAGE + PAGE);
+    uint32_t *order = take(most, sizeof *order);
     columns(&e, "name lines kilobytes packed:3 apart:3");
     for (uint32_t lines = 64; lines <= most; lines *= 2) {
         row_begin("lines_%u\t%u\t%u", lines, lines, lines / 16);
@@ -83,7 +81,5 @@ int main(int argc, char **argv)
         }
         row_end();
     }
-    free(order);
-    munmap(memory, bytes);
     return 0;
 }

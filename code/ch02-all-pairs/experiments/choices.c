@@ -3,7 +3,6 @@
 // sixteen queries side by side. n distances a row, no indices.
 #include "ch02-all-pairs/experiments/choices.h"
 #include "ch02-all-pairs/first.h"
-#include "common/experiment.h"
 
 INLINED void loop(const struct question *question,
                   struct answers *answers, uint32_t begin, uint32_t end,
@@ -56,16 +55,14 @@ void flag_rows(const struct question *question, struct answers *answers,
     loop(question, answers, begin, end, in_either);
 }
 
-INLINED void copies(const enum geometry geometry,
-                    const struct question *question,
-                    struct answers *answers, uint32_t begin,
-                    uint32_t end)
+void copies_rows(const struct question *question,
+                 struct answers *answers, uint32_t begin, uint32_t end)
 {
-    loop(question, answers, begin, end,
-         geometry == STANDARD ? in_standard : in_wraparound);
+    if (question->space.geometry == STANDARD)
+        loop(question, answers, begin, end, in_standard);
+    else
+        loop(question, answers, begin, end, in_wraparound);
 }
-
-SPECIALIZE(copies)
 
 enum { QUERIES = 16 };
 
@@ -113,13 +110,12 @@ void flag_lanes_rows(const struct question *question,
     lane_loop(question, answers, begin, end, in_either);
 }
 
-INLINED void copies_lanes(const enum geometry geometry,
-                          const struct question *question,
-                          struct answers *answers, uint32_t begin,
-                          uint32_t end)
+void copies_lanes_rows(const struct question *question,
+                       struct answers *answers, uint32_t begin,
+                       uint32_t end)
 {
-    lane_loop(question, answers, begin, end,
-              geometry == STANDARD ? in_standard : in_wraparound);
+    if (question->space.geometry == STANDARD)
+        lane_loop(question, answers, begin, end, in_standard);
+    else
+        lane_loop(question, answers, begin, end, in_wraparound);
 }
-
-SPECIALIZE(copies_lanes)

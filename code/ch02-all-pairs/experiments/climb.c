@@ -1,30 +1,37 @@
-// All steps in turn, in both geometries, and in between the vector
-// units' peaks: what they achieve and what could be achieved, measured
-// in one run.
+// All steps of the ladder in turn, in both geometries, and among them
+// the vector units' peaks: what the steps achieve and what could be
+// achieved, measured in one run.
 //
 //     climb [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/experiments/peak.h"
 #include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/ladder.h"
-#include "common/allocate.h"
-#include "common/experiment.h"
-#include <stdlib.h>
 
-static void print_limit(const char *name, const struct trial *peaks,
-                        struct bill standard, struct bill wraparound)
+// The bill's limit at the medians and the quartiles of the peaks.
+static void print_limit(const struct trial *peaks, struct bill bill)
 {
-    double ns[3][PEAKS];
+    double median[PEAKS], q1[PEAKS], q3[PEAKS];
     for (int peak = 0; peak < PEAKS; peak++) {
-        ns[0][peak] =
-            peaks[peak].summary.median / peak_operations[peak];
-        ns[1][peak] = peaks[peak].summary.q1 / peak_operations[peak];
-        ns[2][peak] = peaks[peak].summary.q3 / peak_operations[peak];
+        struct summary ns = peaks[peak].summary;
+        median[peak] = ns.median / peak_operations(peak);
+        q1[peak] = ns.q1 / peak_operations(peak);
+        q3[peak] = ns.q3 / peak_operations(peak);
     }
-    row_begin("%s", name);
-    for (int k = 0; k < 3; k++)
-        row_cells("\t%.4g", peak_limit(ns[k], standard));
-    for (int k = 0; k < 3; k++)
-        row_cells("\t%.4g", peak_limit(ns[k], wraparound));
+    row_cells("\t%.4g\t%.4g\t%.4g", peak_limit(median, bill),
+              peak_limit(q1, bill), peak_limit(q3, bill));
+}
+
+// A subtraction is an addition, a maximum a minimum. Two of the
+// subtractions can be handed over to the multipliers.
+static void print_limits(const struct trial *peaks)
+{
+    row_begin("limit");
+    print_limit(peaks, (struct bill){3, 2, 0, 2});
+    print_limit(peaks, (struct bill){6, 4, 0, 6});
+    row_end();
+    row_begin("limit_tiles");
+    print_limit(peaks, (struct bill){1, 2, 2, 2});
+    print_limit(peaks, (struct bill){4, 4, 2, 6});
     row_end();
 }
 
@@ -34,42 +41,21 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 8192, 2, MANY);
     uint32_t rows = parameter(&e, "ROWS", 512, 1, n);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
-    struct question questions[2];
-    questions[0] = questions[1] = uniform_question(STANDARD, n, 1);
-    questions[1].space.geometry = WRAPAROUND;
-    struct answers answers = answers_allocate(n);
-
-    int count = 2 * step_count + PEAKS;
-    struct run *runs = allocate(2 * step_count, sizeof *runs);
-    struct trial *versions = allocate(count, sizeof *versions);
-    for (int v = 0; v < 2 * step_count; v++) {
-        runs[v] = (struct run){steps[v / 2].rows, &questions[v % 2],
-                               &answers, 0, rows};
+    struct question question = uniform_question(STANDARD, n, 1);
+    struct answers *answers = new_answers(n, BOTH);
+    const int climbed = 2 * step_count;
+    struct trial *versions = take(climbed + PEAKS, sizeof *versions);
+    for (int v = 0; v < climbed; v++) {
+        question.space.geometry = v % 2 ? WRAPAROUND : STANDARD;
         versions[v] =
-            (struct trial){.work = run_rows, .context = &runs[v]};
+            rows_trial(steps[v / 2].rows, &question, answers, rows);
     }
-    peak_versions(versions + 2 * step_count);
-    time_in_turn(trials, versions, count);
-
+    peak_versions(versions + climbed);
+    time_in_turn(trials, versions, climbed + PEAKS);
     columns(&e, "name standard:3 wraparound:3");
-    for (int step = 0; step < step_count; step++) {
-        row_begin("%s", steps[step].name);
-        for (int g = 0; g < 2; g++)
-            row_times(&versions[2 * step + g].summary,
-                      (double)rows * (n - 1));
-        row_end();
-    }
-
-    // A subtraction is an addition, a maximum a minimum. Two of the
-    // subtractions can be handed over to the multipliers.
-    const struct trial *peaks = versions + 2 * step_count;
-    print_limit("limit", peaks, (struct bill){3, 2, 0, 2},
-                (struct bill){6, 4, 0, 6});
-    print_limit("limit_tiles", peaks, (struct bill){1, 2, 2, 2},
-                (struct bill){4, 4, 2, 6});
-    free(runs);
-    free(versions);
-    answers_free(&answers);
-    points_free(&questions[0].points);
+    for (int v = 0; v < climbed; v += 2)
+        row_of_times(&versions[v], 2, (double)rows * (n - 1), "%s",
+                     steps[v / 2].name);
+    print_limits(versions + climbed);
     return 0;
 }

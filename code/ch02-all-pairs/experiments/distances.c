@@ -4,11 +4,6 @@
 //     distances means|histogram [POINTS [SETS]]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
-#include "common/fail.h"
-#include <omp.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { KINDS = 4, BINS = 60, MOST_SETS = 100 };
 
@@ -36,27 +31,26 @@ static void collect(struct collection *c, uint32_t n, int set, int sets)
 {
     struct question question = uniform_question(STANDARD, n, set + 1);
     question.threads = omp_get_num_procs();
-    struct answers answers = answers_allocate(n);
+    struct answers *answers = new_answers(n, BOTH);
     for (int kind = 0; kind < KINDS; kind += 2) {
         question.space.geometry = kind == 0 ? STANDARD : WRAPAROUND;
-        tiles(&question, &answers);
+        tiles(&question, answers);
         double nearest = 0, furthest = 0, same = 0;
         for (uint32_t i = 0; i < n; i++) {
-            double near = sqrt(answers.nearest2[i]);
-            double far = sqrt(answers.furthest2[i]);
+            double near = sqrt(answers->nearest2[i]);
+            double far = sqrt(answers->furthest2[i]);
             put(c, kind, near, 1.0 / n / sets);
             put(c, kind + 1, far, 1.0 / n / sets);
             nearest += near;
             furthest += far;
-            same += answers.nearest[i] == answers.furthest[i];
+            same += answers->nearest[i] == answers->furthest[i];
         }
         c->mean[kind][set] = nearest / n;
         c->mean[kind + 1][set] = furthest / n;
         if (question.space.geometry == WRAPAROUND)
             c->same[set] = same / n;
     }
-    answers_free(&answers);
-    points_free(&question.points);
+    forget();
 }
 
 static void print_mean(const char *name, const double *values, int sets)
@@ -121,6 +115,7 @@ int main(int argc, char **argv)
                         " furthest_wraparound_at furthest_wraparound");
     if (means)
         print_means(&c, sets);
-    else print_histograms(&c);
+    else
+        print_histograms(&c);
     return 0;
 }

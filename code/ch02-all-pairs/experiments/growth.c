@@ -6,16 +6,17 @@
 //     growth [MOST]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
-#include <omp.h>
 
-static double mean_nearest(const struct question *question,
-                           struct answers *answers)
+static double mean_nearest(enum geometry geometry, uint32_t n, int seed)
 {
-    const uint32_t n = question->points.n;
-    tiles(question, answers);
+    struct question question = uniform_question(geometry, n, seed);
+    struct answers *answers = new_answers(n, BOTH);
+    question.threads = n < 5000 ? 1 : omp_get_num_procs();
+    tiles(&question, answers);
     double sum = 0;
     for (uint32_t i = 0; i < n; i++)
         sum += sqrt(answers->nearest2[i]);
+    forget();
     return sum / n * 2 * sqrt(n);
 }
 
@@ -23,25 +24,16 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 12800, 100, MANY);
-
     columns(&e, "name n bounded wrapped");
-    for (uint64_t n = 100; n <= most; n *= 2) {
-        struct answers answers = answers_allocate(n);
-        double sum[2] = {0};
-        uint32_t sets = 2 * most / n;
-        for (uint32_t set = 0; set < sets; set++) {
-            struct question question =
-                uniform_question(STANDARD, n, set + 1);
-            question.threads = n < 5000 ? 1 : omp_get_num_procs();
-            for (int g = 0; g < 2; g++) {
-                question.space.geometry = g ? WRAPAROUND : STANDARD;
-                sum[g] += mean_nearest(&question, &answers);
-            }
-            points_free(&question.points);
+    for (uint32_t n = 100; n <= most; n *= 2) {
+        double bounded = 0, wrapped = 0;
+        const int sets = 2 * most / n;
+        for (int set = 1; set <= sets; set++) {
+            bounded += mean_nearest(STANDARD, n, set);
+            wrapped += mean_nearest(WRAPAROUND, n, set);
         }
-        answers_free(&answers);
-        row("mean_%u\t%u\t%.5g\t%.5g", (unsigned)n, (unsigned)n,
-            sum[0] / sets, sum[1] / sets);
+        row("mean_%u\t%u\t%.5g\t%.5g", n, n, bounded / sets,
+            wrapped / sets);
     }
     return 0;
 }

@@ -6,7 +6,6 @@
 //     mean [POINTS [TRIALS]]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
-#include <omp.h>
 
 //> Hold the values to be averaged
 struct sample {
@@ -63,38 +62,38 @@ static double careful_mean(const double *values, uint32_t n)
     return (sum + lost) / n;
 }
 
+static const struct {
+    const char *name;
+    void (*work)(void *);
+} ways[] = {
+    {"running", running}, {"corrected", corrected}, {"summed", summed}};
+enum { WAYS = sizeof ways / sizeof *ways };
+
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 10000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 101, 1, MANY);
-
     struct question question = uniform_question(STANDARD, n, 1);
     question.threads = omp_get_num_procs();
-    struct answers answers = answers_allocate(n);
-    tiles(&question, &answers);
+    struct answers *answers = new_answers(n, BOTH);
+    tiles(&question, answers);
     for (uint32_t i = 0; i < n; i++)
-        answers.nearest2[i] = sqrt(answers.nearest2[i]);
-
-    struct sample samples[3];
-    struct trial versions[] = {
-        {.work = running}, {.work = corrected}, {.work = summed}};
-    const char *names[] = {"running", "corrected", "summed"};
-    for (int v = 0; v < 3; v++) {
-        samples[v] = (struct sample){answers.nearest2, n, 0};
-        versions[v].context = &samples[v];
+        answers->nearest2[i] = sqrt(answers->nearest2[i]);
+    struct sample samples[WAYS];
+    struct trial versions[WAYS];
+    for (int w = 0; w < WAYS; w++) {
+        samples[w] = (struct sample){answers->nearest2, n, 0};
+        versions[w] = (struct trial){ways[w].work, &samples[w]};
     }
-    time_in_turn(trials, versions, 3);
-
-    double exact = careful_mean(answers.nearest2, n);
+    time_in_turn(trials, versions, WAYS);
+    double exact = careful_mean(answers->nearest2, n);
     columns(&e, "name ns:3 error");
-    for (int v = 0; v < 3; v++) {
-        row_begin("%s", names[v]);
-        row_times(&versions[v].summary, n);
-        row_cells("\t%.3g", fabs(samples[v].mean - exact) / exact);
+    for (int w = 0; w < WAYS; w++) {
+        row_begin("%s", ways[w].name);
+        row_times(&versions[w].summary, n);
+        row_cells("\t%.3g", fabs(samples[w].mean - exact) / exact);
         row_end();
     }
-    answers_free(&answers);
-    points_free(&question.points);
     return 0;
 }

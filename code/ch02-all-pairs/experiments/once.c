@@ -4,9 +4,8 @@
 // always shorter, and no decision of in_wraparound can surprise.
 //
 //     once [GEOMETRY [POINTS [ROWS [QUARTER]]]]
+#include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/ladder.h"
-#include "common/experiment.h"
-#include <stdbool.h>
 
 int main(int argc, char **argv)
 {
@@ -16,15 +15,9 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 4096, 2, MANY);
     uint32_t rows = parameter(&e, "ROWS", 64, 1, n);
     bool quarter = parameter(&e, "QUARTER", 0, 0, 1);
-    struct question question = uniform_question(geometry, n, 1);
-    for (uint32_t i = 0; quarter && i < n; i++) {
-        question.points.x[i] /= 4;
-        question.points.y[i] /= 4;
-    }
-    struct answers answers = answers_allocate(n);
+    struct question question = question_in(quarter, geometry, n);
+    struct answers *answers = new_answers(n, BOTH);
     for (int step = 0; step < step_count; step++)
-        steps[step].rows(&question, &answers, 0, rows);
-    answers_free(&answers);
-    points_free(&question.points);
+        steps[step].rows(&question, answers, 0, rows);
     return 0;
 }

@@ -4,8 +4,6 @@
 #include "ch02-all-pairs/experiments/peak.h"
 #include "ch02-all-pairs/difference.h"
 #include "ch02-all-pairs/pair.h"
-#include "common/experiment.h"
-#include <stddef.h>
 
 enum { WIDE = 8, ROUNDS = 100000 };
 
@@ -52,45 +50,20 @@ INLINED void operate_all(void *context, const char *const operations)
     *all = r;
 }
 
-static void add(void *context)
-{
-    operate_all(context, "++++++");
-}
+#define PEAK(name, operations)            \
+    static void name(void *context)       \
+    {                                     \
+        operate_all(context, operations); \
+    }
 
-static void multiply(void *context)
-{
-    operate_all(context, "******");
-}
-
-static void minimum(void *context)
-{
-    operate_all(context, "<<<<<<");
-}
-
-static void fused(void *context)
-{
-    operate_all(context, "------");
-}
-
-static void add_multiply(void *context)
-{
-    operate_all(context, "+*+*+*");
-}
-
-static void add_minimum(void *context)
-{
-    operate_all(context, "+<+<+<");
-}
-
-static void multiply_minimum(void *context)
-{
-    operate_all(context, "*<*<*<");
-}
-
-static void all_kinds(void *context)
-{
-    operate_all(context, "+*<+*<");
-}
+PEAK(add, "++++++")
+PEAK(multiply, "******")
+PEAK(minimum, "<<<<<<")
+PEAK(fused, "------")
+PEAK(add_multiply, "+*+*+*")
+PEAK(add_minimum, "+<+<+<")
+PEAK(multiply_minimum, "*<*<*<")
+PEAK(all_kinds, "+*<+*<")
 
 static uint64_t chain = 88172645463325252; // anything but 0
 
@@ -110,10 +83,10 @@ const char *const peak_names[PEAKS] = {
     "add_multiply", "add_minimum", "multiply_minimum", "all",
     "cycle"};
 
-#define VECTORS (6.0 * WIDE * ROUNDS)
-const double peak_operations[PEAKS] = {VECTORS, VECTORS, VECTORS,
-                                       VECTORS, VECTORS, VECTORS,
-                                       VECTORS, VECTORS, 6.0 * ROUNDS};
+double peak_operations(enum peak peak)
+{
+    return (peak == CYCLE ? 6.0 : 6.0 * WIDE) * ROUNDS;
+}
 
 void peak_versions(struct trial versions[static PEAKS])
 {

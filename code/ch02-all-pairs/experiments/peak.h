@@ -1,7 +1,7 @@
 // What the vector units can do at most, with all operands in registers
 // and enough independent work: nanoseconds an operation on one double.
 #pragma once
-#include "common/clock.h"
+#include "common/experiment.h"
 
 enum peak {
     ADD,
@@ -19,7 +19,7 @@ enum peak {
 extern const char *const peak_names[PEAKS];
 
 // The operations of one run, by which its time is to be divided.
-extern const double peak_operations[PEAKS];
+double peak_operations(enum peak peak);
 
 // Fills versions[0 .. PEAKS-1], to be timed in turn.
 void peak_versions(struct trial versions[static PEAKS]);

@@ -4,7 +4,6 @@
 //     pow [POINTS [TRIALS]]
 #include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/first.h"
-#include "common/experiment.h"
 
 #ifdef __OPTIMIZE__
 #define LEVEL "optimized"
@@ -39,23 +38,16 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 1000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    struct answers answers = answers_allocate(n);
-
-    struct run runs[] = {{multiply, &question, &answers, 0, n},
-                         {with_pow, &question, &answers, 0, n},
-                         {hidden, &question, &answers, 0, n}};
+    struct answers *answers = new_answers(n, BOTH);
+    struct trial versions[] = {
+        rows_trial(multiply, &question, answers, n),
+        rows_trial(with_pow, &question, answers, n),
+        rows_trial(hidden, &question, answers, n)};
     const char *names[] = {"multiply", "pow", "hidden"};
-    struct trial versions[3];
-    for (int v = 0; v < 3; v++)
-        versions[v] =
-            (struct trial){.work = run_rows, .context = &runs[v]};
     time_in_turn(trials, versions, 3);
     columns(&e, "name ns:3");
-    for (int v = 0; v < 3; v++) {
+    for (int v = 0; v < 3; v++)
         row_of_times(&versions[v], 1, (double)n * (n - 1), "%s_%s",
                      names[v], LEVEL);
-    }
-    answers_free(&answers);
-    points_free(&question.points);
     return 0;
 }

@@ -2,7 +2,6 @@
 //
 //     rates [TRIALS]
 #include "ch02-all-pairs/experiments/peak.h"
-#include "common/experiment.h"
 
 int main(int argc, char **argv)
 {
@@ -11,11 +10,9 @@ int main(int argc, char **argv)
     struct trial versions[PEAKS];
     peak_versions(versions);
     time_in_turn(trials, versions, PEAKS);
-
     columns(&e, "name ns:3");
-    for (int peak = 0; peak < PEAKS; peak++) {
-        row_of_times(&versions[peak], 1, peak_operations[peak], "%s",
+    for (int peak = 0; peak < PEAKS; peak++)
+        row_of_times(&versions[peak], 1, peak_operations(peak), "%s",
                      peak_names[peak]);
-    }
     return 0;
 }

@@ -1,13 +1,13 @@
-// Times a rows_function on the rows begin .. end-1 of a question: the
-// context of run_rows is a struct run.
+// Times a rows_function on the first rows of a question, on one thread.
 #pragma once
 #include "ch02-all-pairs/pair.h"
+#include "common/experiment.h"
 
-struct run {
-    rows_function *rows;
-    const struct question *question;
-    struct answers *answers;
-    uint32_t begin, end;
-};
+struct trial rows_trial(rows_function *function,
+                        const struct question *question,
+                        struct answers *answers, uint32_t rows);
 
-void run_rows(void *context);
+// Uniform points in the box, or all in a quarter of it, where the
+// direct way between two points is always the shorter one.
+struct question question_in(bool quarter, enum geometry geometry,
+                            uint32_t n);

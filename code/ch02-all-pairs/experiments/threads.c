@@ -5,7 +5,18 @@
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
-#include <omp.h>
+
+enum { MOST = 32 };
+
+// 1, 2, 4, ..., and all processors.
+static int thread_counts(int threads[MOST])
+{
+    int count = 0, all = omp_get_num_procs();
+    for (int t = 1; t < all; t *= 2)
+        threads[count++] = t;
+    threads[count++] = all;
+    return count;
+}
 
 int main(int argc, char **argv)
 {
@@ -13,38 +24,24 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 8192, 2, MANY);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    struct answers answers = answers_allocate(n);
-
-    enum { MOST = 32 };
-    int threads[MOST], counts = 0, all = omp_get_num_procs();
-    for (int t = 1; t < all; t *= 2)
-        threads[counts++] = t;
-    threads[counts++] = all;
-
-    struct search searches[2 * MOST];
+    struct answers *answers = new_answers(n, BOTH);
     struct trial versions[2 * MOST];
-    for (int v = 0; v < 2 * counts; v++) {
-        searches[v] =
-            (struct search){v % 2 ? tiles : naive, question, &answers};
-        searches[v].question.threads = threads[v / 2];
-        versions[v] =
-            (struct trial){.work = run_search, .context = &searches[v]};
+    int threads[MOST], count = thread_counts(threads);
+    for (int k = 0; k < count; k++) {
+        question.threads = threads[k];
+        versions[2 * k] = search_trial(naive, &question, answers);
+        versions[2 * k + 1] = search_trial(tiles, &question, answers);
     }
-    time_in_turn(trials, versions, 2 * counts);
+    time_in_turn(trials, versions, 2 * count);
     columns(&e, "name threads points naive_ns:3 tiles_ns:3");
-    for (int c = 0; c < counts; c++) {
-        if (c == 0)
-            row_begin("one");
-        else if (c == counts - 1)
-            row_begin("all");
-        else
-            row_begin("threads_%d", threads[c]);
-        row_cells("\t%d\t%u", threads[c], n);
-        row_times(&versions[2 * c].summary, 1);
-        row_times(&versions[2 * c + 1].summary, 1);
-        row_end();
+    for (int k = 0; k < count; k++) {
+        char name[20];
+        sprintf(name, "threads_%d", threads[k]);
+        row_of_times(&versions[2 * k], 2, 1, "%s\t%d\t%u",
+                     k == 0           ? "one"
+                     : k == count - 1 ? "all"
+                                      : name,
+                     threads[k], n);
     }
-    answers_free(&answers);
-    points_free(&question.points);
     return 0;
 }

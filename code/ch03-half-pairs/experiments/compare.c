@@ -1,37 +1,22 @@
-// Every version is run on one thread and on all processors, all in
-// turn, into the same answers.
+// See compare.h. All versions write into the same answers.
 #include "ch03-half-pairs/experiments/compare.h"
-#include "common/allocate.h"
-#include "common/experiment.h"
-#include <omp.h>
-#include <stdbool.h>
-#include <stdlib.h>
 
-void compare(struct points points, enum geometry geometry, int trials,
+void compare(const struct question *question, int trials,
              const struct version *versions, int count,
-             struct times *times)
+             const char *prefix)
 {
-    struct answers answers = answers_allocate(points.n);
-    struct search *searches = allocate(2 * count, sizeof *searches);
-    struct trial *turns = allocate(2 * count, sizeof *turns);
-    for (int e = 0; e < 2 * count; e++) {
-        const struct version *version = &versions[e / 2];
-        bool serial = e % 2 == 0;
-        searches[e] = (struct search){
-            serial ? version->serial : version->parallel,
-            {points,
-             {geometry, 1, 1},
-             serial ? 1 : omp_get_num_procs()},
-            &answers,
-        };
-        turns[e] =
-            (struct trial){.work = run_search, .context = &searches[e]};
+    const uint32_t n = question->points.n;
+    struct question one = *question, all = *question;
+    all.threads = omp_get_num_procs();
+    struct answers *answers = new_answers(n, BOTH);
+    struct trial *turns = take(2 * count, sizeof *turns);
+    for (int v = 0; v < count; v++) {
+        turns[2 * v] = search_trial(versions[v].serial, &one, answers);
+        turns[2 * v + 1] =
+            search_trial(versions[v].parallel, &all, answers);
     }
     time_in_turn(trials, turns, 2 * count);
     for (int v = 0; v < count; v++)
-        times[v] = (struct times){turns[2 * v].summary,
-                                  turns[2 * v + 1].summary};
-    free(turns);
-    free(searches);
-    answers_free(&answers);
+        row_of_times(&turns[2 * v], 2, n * (n - 1.0), "%s%s\t%u\t%d",
+                     prefix, versions[v].name, n, all.threads);
 }

@@ -1,9 +1,9 @@
-// Whole algorithms on the same points, timed trial by trial in turn. To
-// be printed as nanoseconds per ordered pair, n (n - 1) of them, even
-// if an algorithm measures fewer: half the work shows as half the time.
+// Whole algorithms on the same points, on one thread and on all
+// processors, timed trial by trial in turn. Printed as nanoseconds per
+// ordered pair, n (n - 1) of them, even if an algorithm measures fewer:
+// half the work shows as half the time.
 #pragma once
-#include "common/clock.h"
-#include "common/question.h"
+#include "common/experiment.h"
 
 struct version {
     const char *name;
@@ -11,11 +11,7 @@ struct version {
     search_function *parallel; // run on all processors
 };
 
-struct times {
-    struct summary serial, parallel;
-};
-
-// Both searches of every version; times has room for count.
-void compare(struct points points, enum geometry geometry, int trials,
+// A row for each of count versions, named by prefix and name.
+void compare(const struct question *question, int trials,
              const struct version *versions, int count,
-             struct times *times);
+             const char *prefix);

@@ -3,11 +3,8 @@
 // line has to travel.
 //
 //     false-sharing [STEPS [TRIALS]]
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include <omp.h>
 #include <stdatomic.h>
-#include <stdlib.h>
 
 enum { THREADS = 2, DISTANCES = 6 }; // 8, 16, ... 256 bytes
 
@@ -41,9 +38,7 @@ int main(int argc, char **argv)
     uint32_t steps = parameter(&e, "STEPS", 1000000, 1, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     _Atomic uint64_t *counters =
-        allocate(THREADS << DISTANCES, sizeof *counters);
-    for (int k = 0; k < THREADS << DISTANCES; k++)
-        atomic_init(&counters[k], 0);
+        take(THREADS << DISTANCES, sizeof *counters);
     struct counting apart[DISTANCES];
     struct trial turns[DISTANCES];
     for (int d = 0; d < DISTANCES; d++) {
@@ -53,10 +48,8 @@ int main(int argc, char **argv)
     }
     time_in_turn(trials, turns, DISTANCES);
     columns(&e, "name bytes ns:3");
-    for (int d = 0; d < DISTANCES; d++) {
+    for (int d = 0; d < DISTANCES; d++)
         row_of_times(&turns[d], 1, steps, "apart_%d\t%d", 8 << d,
                      8 << d);
-    }
-    free(counters);
     return 0;
 }

@@ -6,8 +6,6 @@
 #include "ch03-half-pairs/guarded.h"
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
-#include "common/experiment.h"
-#include <omp.h>
 
 static const struct version guards[] = {
     {"none", triangle, triangle}, // knows nothing of threads
@@ -23,17 +21,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 1000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    struct points points = uniform_question(STANDARD, n, 1).points;
-    struct times times[GUARDS];
-    compare(points, STANDARD, trials, guards, GUARDS, times);
+    struct question question = uniform_question(STANDARD, n, 1);
     columns(&e, "name n threads one_ns:3 all_ns:3");
-    const double pairs = n * (n - 1.0);
-    for (int g = 0; g < GUARDS; g++) {
-        row_begin("%s\t%u\t%d", guards[g].name, n, omp_get_num_procs());
-        row_times(&times[g].serial, pairs);
-        row_times(&times[g].parallel, pairs);
-        row_end();
-    }
-    points_free(&points);
+    compare(&question, trials, guards, GUARDS, "");
     return 0;
 }

@@ -5,13 +5,7 @@
 //
 //     improvements [LARGEST]
 #include "ch02-all-pairs/pair.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 // How many of the two bests of a point a pair improves.
 static int improve(double *near2, double *far2, double distance2)
@@ -30,13 +24,11 @@ static int improve(double *near2, double *far2, double distance2)
 
 static uint64_t improvements(struct points p)
 {
-    double *near2 = allocate(p.n, sizeof *near2);
-    double *far2 = allocate(p.n, sizeof *far2);
+    double *near2 = take(p.n, sizeof *near2);
+    double *far2 = take(p.n, sizeof *far2);
     uint64_t improved = 0;
-    for (uint32_t i = 0; i < p.n; i++) {
+    for (uint32_t i = 0; i < p.n; i++)
         near2[i] = INFINITY;
-        far2[i] = 0;
-    }
     for (uint32_t i = 0; i < p.n; i++)
         for (uint32_t j = i + 1; j < p.n; j++) {
             double dx = p.x[j] - p.x[i], dy = p.y[j] - p.y[i];
@@ -44,8 +36,6 @@ static uint64_t improvements(struct points p)
             improved += improve(&near2[i], &far2[i], d2);
             improved += improve(&near2[j], &far2[j], d2);
         }
-    free(near2);
-    free(far2);
     return improved;
 }
 
@@ -55,7 +45,7 @@ int main(int argc, char **argv)
     uint32_t largest = parameter(&e, "LARGEST", 4000, 2, MANY);
     puts("points   a best, random   expected   a best, street");
     for (uint32_t n = 500; n <= largest; n *= 2) {
-        struct points p = generate(find_distribution("uniform"), n, 1);
+        struct points p = uniform_question(STANDARD, n, 1).points;
         double expected = 0, bests = 2.0 * n;
         for (uint32_t k = 1; k < n; k++)
             expected += 1.0 / k;
@@ -66,7 +56,7 @@ int main(int argc, char **argv)
         }
         double street = improvements(p) / bests;
         row("%6u %16.2f %10.2f %16.2f", n, uniform, expected, street);
-        points_free(&p);
+        forget();
     }
     return 0;
 }

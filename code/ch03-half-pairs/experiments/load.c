@@ -3,12 +3,7 @@
 // schedule depends on the numbers of rows and threads only.
 //
 //     load [POINTS [THREADS]]
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/fail.h"
-#include <omp.h>
-#include <stdint.h>
-#include <stdlib.h>
 
 static void weigh(uint32_t n, int threads, uint64_t *pairs)
 {
@@ -34,7 +29,7 @@ int main(int argc, char **argv)
     int threads = parameter(&e, "THREADS", 10, 1, most);
     enum { KINDS = 3 };
     const int chunks[KINDS] = {0, n / (4 * threads), 1}; // 0: undivided
-    uint64_t *pairs = allocate(threads * KINDS, sizeof *pairs);
+    uint64_t *pairs = take(threads * KINDS, sizeof *pairs);
     omp_set_dynamic(0);
     for (int kind = 0; kind < KINDS; kind++) {
         omp_set_schedule(omp_sched_static, chunks[kind]);
@@ -46,6 +41,5 @@ int main(int argc, char **argv)
         row("thread_%d\t%d\t%.4f\t%.4f\t%.4f", t + 1, t + 1,
             pairs[t] / all, pairs[threads + t] / all,
             pairs[2 * threads + t] / all);
-    free(pairs);
     return 0;
 }

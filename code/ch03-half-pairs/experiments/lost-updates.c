@@ -6,11 +6,7 @@
 //
 //     lost-updates [RUNS [LARGEST]]
 #include "ch03-half-pairs/triangle.h"
-#include "common/allocate.h"
-#include "common/clock.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include <stdlib.h>
 
 //> Share out the rows and hope
 static void triangle_racing(const struct question *question,
@@ -29,9 +25,8 @@ static void triangle_racing(const struct question *question,
 // In the order of their numbers: every row is a step nearer than the
 // one before to all houses after it, so that every pair improves the
 // nearest of its second end.
-static void street(struct points points, uint64_t seed)
+static void street(struct points points)
 {
-    (void)seed;
     for (uint32_t i = 0; i < points.n; i++) {
         points.x[i] = (i + 0.5) / points.n;
         points.y[i] = 0.5;
@@ -50,30 +45,25 @@ static int wrong_answers(const struct answers *found,
     return wrong;
 }
 
-static void race(const struct distribution *distribution, uint32_t n,
-                 int runs)
+static void race(const char *name, struct question question, int runs)
 {
-    struct points points = generate(distribution, n, 1);
-    struct question question = {points, {STANDARD, 1, 1}, 2};
-    struct answers right = answers_allocate(n);
-    struct answers found = answers_allocate(n);
-    triangle(&question, &right);
-    double *wrong = allocate(runs, sizeof *wrong), sum = 0;
+    const uint32_t n = question.points.n;
+    struct answers *right = new_answers(n, BOTH);
+    struct answers *found = new_answers(n, BOTH);
+    triangle(&question, right);
+    question.threads = 2;
+    double *wrong = take(runs, sizeof *wrong), sum = 0;
     int bad = 0;
     for (int run = 0; run < runs; run++) {
-        triangle_racing(&question, &found);
-        wrong[run] = wrong_answers(&found, &right, n);
+        triangle_racing(&question, found);
+        wrong[run] = wrong_answers(found, right, n);
         sum += wrong[run];
         bad += wrong[run] > 0;
     }
     struct summary summary = summarize(wrong, runs);
-    row("%s_%u\t%u\t%d\t%d\t%g\t%g\t%g\t%g\t%g", distribution->name, n,
-        n, runs, bad, sum / runs, summary.median, summary.q1,
-        summary.q3, summary.max);
-    free(wrong);
-    answers_free(&found);
-    answers_free(&right);
-    points_free(&points);
+    row("%s_%u\t%u\t%d\t%d\t%g\t%g\t%g\t%g\t%g", name, n, n, runs, bad,
+        sum / runs, summary.median, summary.q1, summary.q3,
+        summary.max);
 }
 
 int main(int argc, char **argv)
@@ -82,10 +72,12 @@ int main(int argc, char **argv)
     int runs = parameter(&e, "RUNS", 100, 1, MANY);
     uint32_t largest = parameter(&e, "LARGEST", 2000, 125, MANY);
     columns(&e, "name n runs bad_runs mean_wrong wrong:3 wrong_most");
-    const struct distribution houses = {"street", "", street};
     for (uint32_t n = 125; n <= largest; n *= 2) {
-        race(find_distribution("uniform"), n, runs);
-        race(&houses, n, runs);
+        struct question question = uniform_question(STANDARD, n, 1);
+        race("uniform", question, runs);
+        street(question.points);
+        race("street", question, runs);
+        forget();
     }
     return 0;
 }

@@ -4,20 +4,29 @@
 //     schedules [POINTS [TRIALS]]
 #include "ch03-half-pairs/private.h"
 #include "common/experiment.h"
-#include <omp.h>
 
-struct entry {
-    omp_sched_t schedule;
-    int chunk;
+enum { CHUNKS = 6, KINDS = 3, SCHEDULES = KINDS * CHUNKS + 1 };
+
+static const struct {
+    const char *name;
+    omp_sched_t kind;
+} kinds[KINDS] = {{"static", omp_sched_static},
+                  {"dynamic", omp_sched_dynamic},
+                  {"guided", omp_sched_guided}};
+
+// Chunks of 1, 4, 16, ... rows; the last schedule is static, undivided.
+struct schedule {
     const struct question *question;
     struct answers *answers;
+    omp_sched_t kind;
+    int chunk;
+    char name[20];
 };
 
-static void run_entry(void *context)
+static void run_schedule(void *context)
 {
-    struct entry *entry = context;
-    triangle_private(entry->question, entry->answers, entry->schedule,
-                     entry->chunk);
+    struct schedule *s = context;
+    triangle_private(s->question, s->answers, s->kind, s->chunk);
 }
 
 int main(int argc, char **argv)
@@ -27,40 +36,25 @@ int main(int argc, char **argv)
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     question.threads = omp_get_num_procs();
-    struct answers answers = answers_allocate(n);
-
-    static const struct {
-        const char *name;
-        omp_sched_t schedule;
-    } kinds[] = {{"static", omp_sched_static},
-                 {"dynamic", omp_sched_dynamic},
-                 {"guided", omp_sched_guided}};
-    enum { CHUNKS = 6, ENTRIES = 3 * CHUNKS + 1 };
-    struct entry entries[ENTRIES];
-    struct trial turns[ENTRIES];
-    for (int e = 0; e < ENTRIES; e++) { // the last: static, undivided
-        omp_sched_t kind =
-            kinds[e < 3 * CHUNKS ? e / CHUNKS : 0].schedule;
-        int chunk = e < 3 * CHUNKS ? 1 << 2 * (e % CHUNKS) : 0;
-        entries[e] = (struct entry){kind, chunk, &question, &answers};
-        turns[e] =
-            (struct trial){.work = run_entry, .context = &entries[e]};
+    struct answers *answers = new_answers(n, BOTH);
+    struct schedule schedules[SCHEDULES];
+    struct trial turns[SCHEDULES];
+    for (int k = 0; k < SCHEDULES; k++) {
+        struct schedule *s = &schedules[k];
+        *s = (struct schedule){&question, answers, omp_sched_static, 0,
+                               "blocks"};
+        turns[k] = (struct trial){.work = run_schedule, .context = s};
+        if (k == SCHEDULES - 1)
+            break;
+        s->kind = kinds[k / CHUNKS].kind;
+        s->chunk = 1 << 2 * (k % CHUNKS);
+        sprintf(s->name, "%s_%d", kinds[k / CHUNKS].name, s->chunk);
     }
-    time_in_turn(trials, turns, ENTRIES);
+    time_in_turn(trials, turns, SCHEDULES);
     columns(&e, "name n threads chunk ns:3");
-    double pairs = n * (n - 1.0);
-    for (int e = 0; e < ENTRIES; e++) {
-        if (e < 3 * CHUNKS)
-            row_begin("%s_%d", kinds[e / CHUNKS].name,
-                      entries[e].chunk);
-        else
-            row_begin("blocks");
-        row_cells("\t%u\t%d\t%d", n, question.threads,
-                  entries[e].chunk);
-        row_times(&turns[e].summary, pairs);
-        row_end();
-    }
-    answers_free(&answers);
-    points_free(&question.points);
+    for (int k = 0; k < SCHEDULES; k++)
+        row_of_times(&turns[k], 1, n * (n - 1.0), "%s\t%u\t%d\t%d",
+                     schedules[k].name, n, question.threads,
+                     schedules[k].chunk);
     return 0;
 }

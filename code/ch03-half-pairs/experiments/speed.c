@@ -9,8 +9,6 @@
 #include "ch03-half-pairs/private.h"
 #include "ch03-half-pairs/triangle.h"
 #include "ch03-half-pairs/triangle_tiles.h"
-#include "common/experiment.h"
-#include <omp.h>
 
 static const struct version versions[] = {
     {"naive", naive, naive},
@@ -21,30 +19,15 @@ static const struct version versions[] = {
 };
 enum { VERSIONS = sizeof versions / sizeof *versions };
 
-static void print_geometry(const char *name, enum geometry geometry,
-                           struct points points, int trials)
-{
-    struct times times[VERSIONS];
-    const double pairs = points.n * (points.n - 1.0);
-    compare(points, geometry, trials, versions, VERSIONS, times);
-    for (int v = 0; v < VERSIONS; v++) {
-        row_begin("%s_%s\t%u\t%d", name, versions[v].name, points.n,
-                  omp_get_num_procs());
-        row_times(&times[v].serial, pairs);
-        row_times(&times[v].parallel, pairs);
-        row_end();
-    }
-}
-
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 3000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    struct points points = uniform_question(STANDARD, n, 1).points;
+    struct question question = uniform_question(STANDARD, n, 1);
     columns(&e, "name n threads serial_ns:3 parallel_ns:3");
-    print_geometry("standard", STANDARD, points, trials);
-    print_geometry("wraparound", WRAPAROUND, points, trials);
-    points_free(&points);
+    compare(&question, trials, versions, VERSIONS, "standard_");
+    question.space.geometry = WRAPAROUND;
+    compare(&question, trials, versions, VERSIONS, "wraparound_");
     return 0;
 }

@@ -6,13 +6,12 @@
 //     borders [MOST]
 #include "ch04-cell-sort/grid.h"
 #include "common/experiment.h"
-#include <inttypes.h>
 
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 1000, 2, 100000);
-    uint64_t borders = 0, divided = 0, multiplied = 0, exact = 0;
+    uintmax_t borders = 0, divided = 0, multiplied = 0, exact = 0;
     for (uint32_t m = 2; m <= most; m++) {
         struct axis axis = axis_cut(0, 1, INFINITY, m);
         double width = 1.0 / m;
@@ -25,10 +24,10 @@ int main(int argc, char **argv)
         }
         axis_free(&axis);
     }
-    row("borders                               %8" PRIu64 "\n"
-        "in the wrong cell, x / width          %8" PRIu64 "\n"
-        "in the wrong cell, x * cells          %8" PRIu64 "\n"
-        "in the wrong cell, the axis's borders %8" PRIu64,
+    row("borders                               %8ju\n"
+        "in the wrong cell, x / width          %8ju\n"
+        "in the wrong cell, x * cells          %8ju\n"
+        "in the wrong cell, the axis's borders %8ju",
         borders, divided, multiplied, exact);
     return 0;
 }

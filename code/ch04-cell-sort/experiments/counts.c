@@ -8,56 +8,41 @@
 #include "ch04-cell-sort/experiments/poisson.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "common/experiment.h"
-#include <omp.h>
-#include <stddef.h>
 
-static const double per_cell[] = {0.25, 0.5, 1, 1.5, 2, 3, 4, 8};
-static const char *const names[] = {
-    "c_quarter", "c_half", "c_1", "c_1_5", "c_2", "c_3", "c_4", "c_8"};
+static const struct {
+    const char *name;
+    double c;
+} sizes[] = {{"c_quarter", 0.25}, {"c_half", 0.5}, {"c_1", 1},
+             {"c_1_5", 1.5},      {"c_2", 2},      {"c_3", 3},
+             {"c_4", 4},          {"c_8", 8}};
 
+// Of all points of several sets.
 struct sums {
-    double cells[2], distances[2], wrong; // standard, wraparound
+    struct counts counts;
+    double wrong; // if the search stops at nine cells
 };
 
-static void count_set(struct question *question, double c, int g,
-                      struct answers *right, struct answers *found,
-                      struct sums *sums)
+static struct sums add_up(enum geometry geometry, uint32_t n, int sets,
+                          double c)
 {
-    struct sorted sorted = sorted_make(question, c, cells_sort_alone);
-    struct counts counts = {0};
-    question->counts = &counts;
-    search_sorted(question, &sorted, right);
-    sums->cells[g] += counts.cells;
-    sums->distances[g] += counts.distances;
-    if (g == 1) {
-        search_nine_cells(question, &sorted, found);
-        for (uint32_t i = 0; i < question->points.n; i++)
-            sums->wrong += right->nearest[i] != found->nearest[i];
-    }
-    sorted_free(&sorted);
-}
-
-static void print_row(uint32_t n, int sets, int k)
-{
-    struct answers right = answers_allocate(n);
-    struct answers found = answers_allocate(n);
     struct sums sums = {0};
-    for (int set = 0; set < sets; set++)
-        for (int g = 0; g < 2; g++) {
-            struct question question =
-                uniform_question(g ? WRAPAROUND : STANDARD, n, set + 1);
-            question.threads = omp_get_num_procs();
-            count_set(&question, per_cell[k], g, &right, &found, &sums);
-            points_free(&question.points);
-        }
-    double all = (double)n * sets, c = per_cell[k];
-    row("%s\t%g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.4g\t%.4g\t%.9g",
-        names[k], c, expected_cells(c), sums.cells[0] / all,
-        sums.cells[1] / all, expected_distances(c),
-        sums.distances[0] / all, sums.distances[1] / all,
-        expected_wrong(c), sums.wrong / all, all);
-    answers_free(&right);
-    answers_free(&found);
+    for (int set = 1; set <= sets; set++) {
+        struct question question = uniform_question(geometry, n, set);
+        question.threads = omp_get_num_procs();
+        question.counts = &sums.counts;
+        struct sorted sorted =
+            sorted_make(&question, c, cells_sort_alone);
+        struct answers *right = new_answers(n, NEAREST);
+        struct answers *found = new_answers(n, NEAREST);
+        search_sorted(&question, &sorted, right);
+        question.counts = NULL;
+        search_nine_cells(&question, &sorted, found);
+        for (uint32_t i = 0; i < n; i++)
+            sums.wrong += right->nearest[i] != found->nearest[i];
+        sorted_free(&sorted);
+        forget();
+    }
+    return sums;
 }
 
 int main(int argc, char **argv)
@@ -69,7 +54,17 @@ int main(int argc, char **argv)
         &e,
         "name c cells_expected cells cells_wrapped distances_expected "
         "distances distances_wrapped wrong_expected wrong points");
-    for (size_t k = 0; k < sizeof per_cell / sizeof *per_cell; k++)
-        print_row(n, sets, k);
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        const double c = sizes[k].c, all = (double)n * sets;
+        struct sums bounded = add_up(STANDARD, n, sets, c);
+        struct sums wrapped = add_up(WRAPAROUND, n, sets, c);
+        row("%s\t%g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.4g\t%.4g"
+            "\t%.9g",
+            sizes[k].name, c, expected_cells(c),
+            bounded.counts.cells / all, wrapped.counts.cells / all,
+            expected_distances(c), bounded.counts.distances / all,
+            wrapped.counts.distances / all, expected_wrong(c),
+            wrapped.wrong / all, all);
+    }
     return 0;
 }

@@ -3,12 +3,7 @@
 //
 //     intervals [MOST [TRIALS]]
 #include "ch04-cell-sort/line.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/random.h"
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SCAN, SORTED, BINS, WAYS };
 enum { QUESTIONS = 10000, FEW = 10, MANY_RESULTS = 1000 };
@@ -57,22 +52,23 @@ static void query(void *context)
     }
 }
 
+static void time_works(void (*work)(void *), struct work *works,
+                       int trials, struct trial times[WAYS])
+{
+    for (int w = 0; w < WAYS; w++)
+        times[w] = (struct trial){.work = work, .context = &works[w]};
+    time_in_turn(trials, times, WAYS);
+}
+
 static void print_rows(struct work *works, int trials)
 {
     static const char *const names[WAYS] = {"scan", "sorted", "bins"};
     struct trial built[WAYS], few[WAYS], many[WAYS];
-    for (int w = 0; w < WAYS; w++) {
-        built[w] = (struct trial){.work = build, .context = &works[w]};
-        few[w] = many[w] =
-            (struct trial){.work = query, .context = &works[w]};
-    }
-    time_in_turn(trials, built, WAYS);
-    for (int w = 0; w < WAYS; w++)
-        works[w].results = FEW;
-    time_in_turn(trials, few, WAYS);
+    time_works(build, works, trials, built);
+    time_works(query, works, trials, few);
     for (int w = 0; w < WAYS; w++)
         works[w].results = MANY_RESULTS;
-    time_in_turn(trials, many, WAYS);
+    time_works(query, works, trials, many);
     for (int w = 0; w < WAYS; w++) {
         row_begin("%s_%u\t%u", names[w], works[w].n, works[w].n);
         row_times(&built[w].summary, works[w].n);
@@ -80,33 +76,29 @@ static void print_rows(struct work *works, int trials)
         row_times(&many[w].summary, questions(w));
         row_end();
     }
-    fflush(stdout);
 }
 
 static void compare_ways(uint32_t n, int trials)
 {
     struct random random = {1};
-    double *numbers = allocate(n, sizeof *numbers);
+    double *numbers = take(n, sizeof *numbers);
+    double *from = take(QUESTIONS, sizeof *from);
     for (uint32_t i = 0; i < n; i++)
         numbers[i] = random_uniform(&random);
-    static double from[QUESTIONS];
     for (int q = 0; q < QUESTIONS; q++)
         from[q] = random_uniform(&random);
     struct work works[WAYS];
     for (int w = 0; w < WAYS; w++)
         works[w] = (struct work){.way = w,
                                  .n = n,
+                                 .results = FEW,
                                  .numbers = numbers,
-                                 .sorted = allocate(n, sizeof(double)),
-                                 .found = allocate(n, sizeof(double)),
+                                 .sorted = take(n, sizeof(double)),
+                                 .found = take(n, sizeof(double)),
                                  .from = from};
     print_rows(works, trials);
-    for (int w = 0; w < WAYS; w++) {
-        free(works[w].sorted);
-        free(works[w].found);
-    }
     bins_free(&works[BINS].bins);
-    free(numbers);
+    forget();
 }
 
 int main(int argc, char **argv)
@@ -115,7 +107,7 @@ int main(int argc, char **argv)
     uint32_t most = parameter(&e, "MOST", 100000, 10000, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     columns(&e, "name n build:3 few:3 many:3");
-    for (uint64_t n = 10000; n <= most; n *= 10)
+    for (uint32_t n = 10000; n <= most; n *= 10)
         compare_ways(n, trials);
     return 0;
 }

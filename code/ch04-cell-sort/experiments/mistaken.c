@@ -46,26 +46,23 @@ int main(int argc, char **argv)
 {
     enum { POINTS = 64 };
     struct experiment e = experiment_begin(argc, argv);
-    struct answers right = answers_allocate(POINTS);
-    struct answers found = answers_allocate(POINTS);
     uint32_t i = POINTS;
     columns(&e, "kind x y");
     for (uint64_t seed = 1; i == POINTS; seed++) {
         struct question question =
             uniform_question(STANDARD, POINTS, seed);
-        struct points p = question.points;
+        struct answers *right = new_answers(POINTS, NEAREST);
+        struct answers *found = new_answers(POINTS, NEAREST);
         struct sorted sorted =
             sorted_make(&question, 1, cells_sort_alone);
-        search_nine_cells(&question, &sorted, &found);
-        search_sorted(&question, &sorted, &right);
-        i = first_mistaken(&right, &found, POINTS);
+        search_nine_cells(&question, &sorted, found);
+        search_sorted(&question, &sorted, right);
+        i = first_mistaken(right, found, POINTS);
         if (i < POINTS)
-            print_picture(&sorted.grid, p, i, found.nearest[i],
-                          right.nearest[i]);
+            print_picture(&sorted.grid, question.points, i,
+                          found->nearest[i], right->nearest[i]);
         sorted_free(&sorted);
-        points_free(&question.points);
+        forget();
     }
-    answers_free(&right);
-    answers_free(&found);
     return 0;
 }

@@ -2,7 +2,6 @@
 // cell, and 1 - q^2 of the answers are wrong (expected_wrong).
 #include "ch04-cell-sort/experiments/nine_cells.h"
 #include "ch04-cell-sort/visit.h"
-#include "common/experiment.h"
 #include <stddef.h>
 
 INLINED void search(const enum geometry geometry,

@@ -5,7 +5,6 @@
 //     outlier
 #include "ch04-cell-sort/grid.h"
 #include "common/experiment.h"
-#include <stdio.h>
 
 int main(int argc, char **argv)
 {
@@ -13,8 +12,7 @@ int main(int argc, char **argv)
     const double c = 2, side = sqrt(c / POINTS);
     experiment_begin(argc, argv);
     struct question question = uniform_question(STANDARD, POINTS, 1);
-    puts(
-        "one point at   cells of fixed side  their memory   our cells");
+    row("one point at   cells of fixed side  their memory   our cells");
     for (double far = 1; far <= 1e6; far *= 100) {
         question.points.x[0] = question.points.y[0] = far;
         struct grid grid = grid_fit(&question, c);
@@ -23,6 +21,5 @@ int main(int argc, char **argv)
             cells * sizeof(uint32_t) / 1e9, grid_cells(&grid));
         grid_free(&grid);
     }
-    points_free(&question.points);
     return 0;
 }

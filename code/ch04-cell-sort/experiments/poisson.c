@@ -1,7 +1,6 @@
 // Probabilities for points of a Poisson process, integrated in closed
 // form or in small steps. Lengths are in sides of a cell.
 #include "ch04-cell-sort/experiments/poisson.h"
-#include "common/experiment.h"
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;

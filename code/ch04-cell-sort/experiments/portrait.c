@@ -40,8 +40,5 @@ int main(int argc, char **argv)
             k, cells.start[k]);
     }
     print_cells(&grid, cells.start);
-    cells_free(&cells);
-    grid_free(&grid);
-    points_free(&question.points);
     return 0;
 }

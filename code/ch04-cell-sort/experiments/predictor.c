@@ -8,8 +8,6 @@
 #include "ch04-cell-sort/block.h"
 #include "ch04-cell-sort/sorted.h"
 #include "common/experiment.h"
-#include "common/fail.h"
-#include <stdlib.h>
 
 enum { LENGTHS = 10, SETS = 2, BITS = 22, PER_CELL = 4 };
 enum { MORE, SELF, NEARER, BRANCHES };
@@ -92,14 +90,11 @@ static void replay_search(struct replay *r, const char *kind,
     *r = (struct replay){0};
     for (int k = 0; k < LENGTHS; k++) {
         r->predictors[k].length = lengths[k];
-        r->predictors[k].state = calloc(1, (size_t)1 << BITS);
-        if (!r->predictors[k].state)
-            fail("not enough memory");
+        r->predictors[k].state = take(1, (size_t)1 << BITS);
     }
     for (uint32_t s = 0; s < n; s++)
         replay_query(r, &sorted, question.space, s);
     sorted_free(&sorted);
-    points_free(&question.points);
 }
 
 int main(int argc, char **argv)
@@ -122,7 +117,6 @@ int main(int argc, char **argv)
                 (p->wrong[MORE] + p->wrong[SELF] + p->wrong[NEARER]) /
                     n,
                 p->wrong[MORE] / n, p->wrong[NEARER] / n);
-            free(p->state);
         }
         row_end();
     }

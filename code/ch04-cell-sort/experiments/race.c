@@ -28,28 +28,21 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    struct answers answers = answers_allocate(n);
-    struct search searches[2][RUNNERS];
-    struct trial versions[2][RUNNERS];
-    struct question question = uniform_question(STANDARD, n, 1);
-    for (int g = 0; g < 2; g++) {
-        question.space.geometry = g ? WRAPAROUND : STANDARD;
-        for (int r = 0; r < RUNNERS; r++) {
-            searches[g][r] =
-                (struct search){runners[r].search, question, &answers};
-            versions[g][r] = (struct trial){.work = run_search,
-                                            .context = &searches[g][r]};
-        }
-    }
-    time_in_turn(trials, versions[0], 2 * RUNNERS);
-    columns(&e, "name n standard:3 wraparound:3");
+    struct question standard = uniform_question(STANDARD, n, 1);
+    struct question wraparound = standard;
+    wraparound.space.geometry = WRAPAROUND;
+    struct answers *answers = new_answers(n, BOTH);
+    struct trial versions[2 * RUNNERS];
     for (int r = 0; r < RUNNERS; r++) {
-        row_begin("%s\t%u", runners[r].name, n);
-        for (int g = 0; g < 2; g++)
-            row_times(&versions[g][r].summary, n);
-        row_end();
+        search_function *search = runners[r].search;
+        versions[2 * r] = search_trial(search, &standard, answers);
+        versions[2 * r + 1] =
+            search_trial(search, &wraparound, answers);
     }
-    answers_free(&answers);
-    points_free(&question.points);
+    time_in_turn(trials, versions, 2 * RUNNERS);
+    columns(&e, "name n standard:3 wraparound:3");
+    for (int r = 0; r < RUNNERS; r++)
+        row_of_times(&versions[2 * r], 2, n, "%s\t%u", runners[r].name,
+                     n);
     return 0;
 }

@@ -5,12 +5,10 @@
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "common/experiment.h"
-#include <stddef.h>
 
-enum { SIZES = 10, SEARCHES = 3 };
-
-static const double per_cell[SIZES] = {0.5, 0.75, 1, 1.5, 2,
-                                       3,   4,    6, 10,  16};
+static const double per_cell[] = {0.5, 0.75, 1, 1.5, 2,
+                                  3,   4,    6, 10,  16};
+enum { SIZES = sizeof per_cell / sizeof *per_cell, SEARCHES = 3 };
 
 struct attempt {
     const struct question *question;
@@ -28,26 +26,26 @@ static void by_lists(void *context)
     grid_free(&grid);
 }
 
-static void by_sorting(const struct attempt *a,
-                       void (*search)(const struct question *,
-                                      const struct sorted *,
-                                      struct answers *))
-{
-    struct sorted sorted =
-        sorted_make(a->question, a->c, cells_sort_alone);
-    search(a->question, &sorted, a->answers);
-    sorted_free(&sorted);
-}
-
 static void point_by_point(void *context)
 {
-    by_sorting(context, search_sorted);
+    struct attempt *a = context;
+    struct sorted sorted =
+        sorted_make(a->question, a->c, cells_sort_alone);
+    search_sorted(a->question, &sorted, a->answers);
+    sorted_free(&sorted);
 }
 
 static void in_batches(void *context)
 {
-    by_sorting(context, search_batches);
+    struct attempt *a = context;
+    struct sorted sorted =
+        sorted_make(a->question, a->c, cells_sort_alone);
+    search_batches(a->question, &sorted, a->answers);
+    sorted_free(&sorted);
 }
+
+static void (*const searches[SEARCHES])(void *) = {
+    by_lists, point_by_point, in_batches};
 
 int main(int argc, char **argv)
 {
@@ -55,27 +53,18 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    struct answers answers = answers_allocate(n);
+    struct answers *answers = new_answers(n, BOTH);
     struct attempt attempts[SIZES];
-    void (*const searches[SEARCHES])(void *) = {
-        by_lists, point_by_point, in_batches};
-    struct trial versions[SIZES][SEARCHES];
-    for (int s = 0; s < SIZES; s++) {
-        attempts[s] =
-            (struct attempt){&question, &answers, per_cell[s]};
-        for (int k = 0; k < SEARCHES; k++)
-            versions[s][k] = (struct trial){.work = searches[k],
-                                            .context = &attempts[s]};
-    }
-    time_in_turn(trials, versions[0], SIZES * SEARCHES);
+    struct trial versions[SIZES * SEARCHES];
+    for (int s = 0; s < SIZES; s++)
+        attempts[s] = (struct attempt){&question, answers, per_cell[s]};
+    for (int v = 0; v < SIZES * SEARCHES; v++)
+        versions[v] = (struct trial){searches[v % SEARCHES],
+                                     &attempts[v / SEARCHES]};
+    time_in_turn(trials, versions, SIZES * SEARCHES);
     columns(&e, "name c lists:3 sorted:3 batches:3");
-    for (int s = 0; s < SIZES; s++) {
-        row_begin("size_%d\t%g", s, per_cell[s]);
-        for (int k = 0; k < SEARCHES; k++)
-            row_times(&versions[s][k].summary, n);
-        row_end();
-    }
-    answers_free(&answers);
-    points_free(&question.points);
+    for (int s = 0; s < SIZES; s++)
+        row_of_times(&versions[s * SEARCHES], SEARCHES, n,
+                     "size_%d\t%g", s, per_cell[s]);
     return 0;
 }

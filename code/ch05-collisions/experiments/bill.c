@@ -7,18 +7,14 @@
 #include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include "common/isa.h"
-#include "common/random.h"
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { PLAINLY, BY_GROUPS, BY_CONFLICTS, WAYS };
 enum { FEWEST_CELLS = 16, SIZES = 9, LENGTHS = 3, LANES = 64 };
 enum { KINDS = 5, ROWS = LENGTHS * SIZES + KINDS };
+
+static const char *const kinds[KINDS] = {
+    "uniform", "clustered", "two-clusters", "kuzmin", "equal"};
 
 // A line of the table, and what is needed to time it.
 struct row {
@@ -63,45 +59,32 @@ static void time_rows(struct row *rows, int trials)
 }
 
 // Its points' cell ids are not yet set.
-static struct row row_allocate(uint32_t n, uint32_t cells,
-                               uint32_t lanes)
+static struct row new_row(uint32_t n, uint32_t cells, uint32_t lanes)
 {
-    struct row row = {.n = n, .cells = cells};
-    row.groups = groups_allocate(lanes, cells);
-    row.cell_id = allocate(n, sizeof *row.cell_id);
-    row.count = allocate(cells, sizeof *row.count);
-    memset(row.count, 0, cells * sizeof *row.count);
-    return row;
-}
-
-static void row_free(struct row *row)
-{
-    groups_free(&row->groups);
-    free(row->cell_id);
-    free(row->count);
+    return (struct row){.n = n,
+                        .cells = cells,
+                        .groups = groups_allocate(lanes, cells),
+                        .cell_id = take(n, sizeof(uint32_t)),
+                        .count = take(cells, sizeof(uint32_t))};
 }
 
 static struct row random_row(uint32_t n, uint32_t cells, uint32_t lanes)
 {
     struct random random = {1};
-    struct row row = row_allocate(n, cells, lanes);
+    struct row row = new_row(n, cells, lanes);
     for (uint32_t i = 0; i < n; i++)
         row.cell_id[i] = random_bits(&random) % cells;
     sprintf(row.name, "random_%u_%u", cells, lanes);
     return row;
 }
 
-static struct row points_row(uint32_t n, const char *kind,
-                             const char *name)
+static struct row points_row(uint32_t n, const char *kind)
 {
-    struct points points = generate(find_distribution(kind), n, 1);
-    struct question question = {points, {STANDARD, 1, 1}, 1};
+    struct question question = kind_question(kind, n, 1);
     struct grid grid = grid_fit(&question, 2);
-    struct row row = row_allocate(n, grid_cells(&grid), LANES);
-    find_cell_ids(&grid, points, 0, n, row.cell_id);
-    strcpy(row.name, name);
-    grid_free(&grid);
-    points_free(&points);
+    struct row row = new_row(n, grid_cells(&grid), LANES);
+    find_cell_ids(&grid, question.points, 0, n, row.cell_id);
+    sprintf(row.name, "%s_points", kind);
     return row;
 }
 
@@ -139,11 +122,9 @@ static void print_row(const struct row *row, struct line line)
 // What the line says of one point, or one loser; nobody timed it.
 static void print_price(const char *name, int losers, double ns)
 {
-    row_begin("%s\tnan\t%d\t%d\t%.4g", name, LANES, losers, ns);
-    for (int column = 0; column < 3 * WAYS; column++)
-        row_cells("\tnan");
-    row_cells("\tnone");
-    row_end();
+    row("%s\tnan\t%d\t%d\t%.4g\tnan\tnan\tnan\tnan\tnan\tnan\tnan\tnan"
+        "\tnan\tnone",
+        name, LANES, losers, ns);
 }
 
 int main(int argc, char **argv)
@@ -157,20 +138,15 @@ int main(int argc, char **argv)
     for (int length = 0; length < LENGTHS; length++)
         for (int size = 0; size < SIZES; size++)
             *row++ = random_row(n, FEWEST_CELLS << size, lanes[length]);
-    *row++ = points_row(n, "uniform", "uniform_points");
-    *row++ = points_row(n, "clustered", "clustered_points");
-    *row++ = points_row(n, "two-clusters", "two_clusters_points");
-    *row++ = points_row(n, "kuzmin", "kuzmin_points");
-    *row++ = points_row(n, "equal", "equal_points");
+    for (int kind = 0; kind < KINDS; kind++)
+        *row++ = points_row(n, kinds[kind]);
     time_rows(rows, trials);
     struct line line = fit(rows, SIZES); // with 64 lanes: the first
     columns(&e, "name cells lanes losers predicted plain:3 groups:3 "
                 "conflicts:3 instructions");
     print_price("point", 0, line.point);
     print_price("loser", 1, line.loser);
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < ROWS; r++)
         print_row(&rows[r], line);
-        row_free(&rows[r]);
-    }
     return 0;
 }

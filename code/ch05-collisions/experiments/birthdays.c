@@ -6,12 +6,7 @@
 //     birthdays [POINTS [SETS]]
 #include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/groups.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SETS = 8 }; // of clusters, shown one by one
 
@@ -36,72 +31,75 @@ static double pairs_of(const uint32_t *cell_id, uint32_t n,
 }
 
 // A group is lanes of the n points, drawn without putting back; k
-// points are in this cell. All of them lose but one for each group in
-// which there is somebody.
+// points are in this cell. All of them lose but one for each group that
+// has any.
 static double losers_expected(double n, double k, double lanes)
 {
-    double nobody = 1;
-    for (double j = 0; j < k && nobody > 0; j++)
-        nobody *= fmax(0, 1 - lanes / (n - j));
-    return k - n / lanes * (1 - nobody);
+    double none = 1; // the probability that a group has none
+    for (double j = 0; j < k && none > 0; j++)
+        none *= fmax(0, 1 - lanes / (n - j));
+    return k - n / lanes * (1 - none);
 }
 
-static void add_set(struct tally *tally, const uint32_t *cell_id,
-                    uint32_t n, uint32_t m, uint32_t lanes,
-                    uint32_t *count)
+// Points in their cells.
+struct set {
+    uint32_t n, cells, *cell_id;
+    uint32_t *count; // all zeros between two uses
+};
+
+static void add_set(struct tally *tally, const struct set *set,
+                    uint32_t lanes)
 {
-    struct groups groups = groups_allocate(lanes, m);
-    tally->pairs += pairs_of(cell_id, n, lanes, count);
-    tally->losers += groups_count(&groups, cell_id, n, count);
+    struct groups groups = groups_allocate(lanes, set->cells);
+    tally->pairs += pairs_of(set->cell_id, set->n, lanes, set->count);
+    tally->losers +=
+        groups_count(&groups, set->cell_id, set->n, set->count);
     double others = 0;
-    for (uint32_t cell = 0; cell < m; cell++) {
-        double k = count[cell];
-        others += k * (k - 1) / n;
-        tally->losers_expected += losers_expected(n, k, lanes);
-        count[cell] = 0;
+    for (uint32_t cell = 0; cell < set->cells; cell++) {
+        double k = set->count[cell];
+        others += k * (k - 1) / set->n;
+        tally->losers_expected += losers_expected(set->n, k, lanes);
+        set->count[cell] = 0;
     }
     tally->others += others;
     tally->pairs_expected += others * (lanes - 1) / 2;
-    tally->cells += m;
+    tally->cells += set->cells;
     groups_free(&groups);
+}
+
+static struct set make_set(const char *kind, uint32_t n, uint64_t seed)
+{
+    struct question question = kind_question(kind, n, seed);
+    struct grid grid = grid_fit(&question, 2);
+    struct set set = {n, grid_cells(&grid), take(n, sizeof(uint32_t)),
+                      take(grid_cells(&grid), sizeof(uint32_t))};
+    find_cell_ids(&grid, question.points, 0, n, set.cell_id);
+    grid_free(&grid);
+    return set;
 }
 
 struct range {
     uint32_t first, last;
 };
 
-static void print_tally(const char *name, const char *distribution,
-                        uint32_t n, struct range seeds,
-                        struct range lanes)
+static void print_tally(const char *name, const char *kind, uint32_t n,
+                        struct range seeds, struct range lanes)
 {
-    struct tally tallies[32] = {0};
+    struct tally tallies[32] = {0}, *t = tallies;
     const int sets = seeds.last - seeds.first + 1;
     for (uint32_t seed = seeds.first; seed <= seeds.last; seed++) {
-        struct points points =
-            generate(find_distribution(distribution), n, seed);
-        struct question question = {points, {STANDARD, 1, 1}, 1};
-        struct grid grid = grid_fit(&question, 2);
-        const uint32_t m = grid_cells(&grid);
-        uint32_t *cell_id = allocate(n, sizeof *cell_id);
-        uint32_t *count = allocate(m, sizeof *count);
-        memset(count, 0, m * sizeof *count);
-        find_cell_ids(&grid, points, 0, n, cell_id);
-        int length = 0;
+        struct set set = make_set(kind, n, seed);
+        t = tallies;
         for (uint32_t l = lanes.first; l <= lanes.last; l *= 2)
-            add_set(&tallies[length++], cell_id, n, m, l, count);
-        free(count);
-        free(cell_id);
-        grid_free(&grid);
-        points_free(&points);
+            add_set(t++, &set, l);
+        forget();
     }
-    int length = 0;
-    for (uint32_t l = lanes.first; l <= lanes.last; l *= 2) {
-        const struct tally *t = &tallies[length++];
+    t = tallies;
+    for (uint32_t l = lanes.first; l <= lanes.last; l *= 2, t++)
         row("%s_%u_%u\t%u\t%.0f\t%u\t%.4g\t%.6g\t%.6g\t%.6g\t%.6g",
             name, l, n, n, t->cells / sets, l, t->others / sets,
             t->pairs / sets, t->pairs_expected / sets, t->losers / sets,
             t->losers_expected / sets);
-    }
 }
 
 int main(int argc, char **argv)

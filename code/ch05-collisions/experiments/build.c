@@ -6,7 +6,6 @@
 #include "ch04-cell-sort/batches.h"
 #include "ch05-collisions/partition.h"
 #include "common/experiment.h"
-#include <omp.h>
 
 struct steps {
     struct question question;
@@ -73,33 +72,26 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 1000000, 2, MANY);
     int count = parameter(&e, "TRIALS", 3, 1, MANY);
-    struct steps one = {.question = uniform_question(STANDARD, n, 1)};
-    struct answers answers = answers_allocate(n);
+    struct workspace workspace = {0};
+    struct steps one = {.question = uniform_question(STANDARD, n, 1),
+                        .answers = new_answers(n, BOTH),
+                        .workspace = &workspace};
     one.sorted =
         sorted_make(&one.question, POINTS_PER_CELL, cells_sort_alone);
-    struct workspace workspace = {0};
-    one.answers = &answers;
-    one.workspace = &workspace;
     struct steps all = one;
     all.question.threads = omp_get_num_procs();
-    struct trial trials[WAYS * STEPS];
-    for (int k = 0; k < WAYS * STEPS; k++)
+    struct trial trials[STEPS * WAYS];
+    for (int k = 0; k < STEPS * WAYS; k++) {
+        void (*work)(void *) = works[k % WAYS][k / WAYS];
         trials[k] =
-            (struct trial){.work = works[k / STEPS][k % STEPS],
-                           .prepare = works[k / STEPS][k % STEPS],
-                           .context = k / STEPS < 2 ? &one : &all};
-    time_in_turn(count, trials, WAYS * STEPS);
-    columns(&e, "name n threads before:3 one:3 all:3");
-    for (int step = 0; step < STEPS; step++) {
-        row_begin("%s\t%u\t%d", step_names[step], n,
-                  all.question.threads);
-        for (int way = 0; way < WAYS; way++)
-            row_times(&trials[way * STEPS + step].summary, n);
-        row_end();
+            (struct trial){.work = work,
+                           .prepare = work,
+                           .context = k % WAYS < 2 ? &one : &all};
     }
-    workspace_free(&workspace);
-    answers_free(&answers);
-    sorted_free(&one.sorted);
-    points_free(&one.question.points);
+    time_in_turn(count, trials, STEPS * WAYS);
+    columns(&e, "name n threads before:3 one:3 all:3");
+    for (int step = 0; step < STEPS; step++)
+        row_of_times(&trials[step * WAYS], WAYS, n, "%s\t%u\t%d",
+                     step_names[step], n, all.question.threads);
     return 0;
 }

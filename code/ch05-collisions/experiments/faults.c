@@ -7,8 +7,6 @@
 //     faults [POINTS]
 #include "ch05-collisions/partition.h"
 #include "common/experiment.h"
-#include "common/fail.h"
-#include <stdbool.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
@@ -71,7 +69,5 @@ int main(int argc, char **argv)
         long large = faults_of(&grid, question.points, way, true);
         row("%s\t%u\t%ld\t%ld", names[way], n, small, large);
     }
-    grid_free(&grid);
-    points_free(&question.points);
     return 0;
 }

@@ -5,11 +5,7 @@
 //
 //     lost-counts [POINTS]
 #include "ch05-collisions/cell_ids.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/generate.h"
-#include <stdlib.h>
-#include <string.h>
 
 enum { CELLS = 576, MOST_LANES = 1024, WAYS = 5, ROUNDS = 100 };
 
@@ -67,15 +63,12 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 1 << 20, MOST_LANES,
                            UINT32_MAX / ROUNDS);
     n -= n % MOST_LANES; // groups without a rest
-    struct points points =
-        generate(find_distribution("clustered"), n, 2);
-    struct question question = {points, {STANDARD, 1, 1}, 1};
+    struct question question = kind_question("clustered", n, 2);
     struct grid grid = grid_fit(&question, (double)n / CELLS);
     const uint32_t m = grid_cells(&grid);
-    uint32_t *cell_id = allocate(n, sizeof *cell_id);
-    uint32_t *count = allocate((size_t)WAYS * m, sizeof *count);
-    memset(count, 0, (size_t)WAYS * m * sizeof *count);
-    find_cell_ids(&grid, points, 0, n, cell_id);
+    uint32_t *cell_id = take(n, sizeof *cell_id);
+    uint32_t *count = take((size_t)WAYS * m, sizeof *count);
+    find_cell_ids(&grid, question.points, 0, n, cell_id);
     count_in_lanes(cell_id, n, 1, count);
     count_in_lanes(cell_id, n, 8, count + m);
     count_in_lanes(cell_id, n, 64, count + 2 * m);
@@ -83,9 +76,5 @@ int main(int argc, char **argv)
     count_racing(cell_id, n, count + 4 * m);
     columns(&e, "name right lanes8 lanes64 lanes1024 threads2");
     print_counts(m, count);
-    free(count);
-    free(cell_id);
-    grid_free(&grid);
-    points_free(&points);
     return 0;
 }

@@ -5,9 +5,7 @@
 //
 //     balance [TRIALS [WIDTH]]
 #include "ch06-pack-scan/escape.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include <stdlib.h>
 
 enum { LIMIT = 256, SHORT = 256 };
 
@@ -45,15 +43,6 @@ static void intervals(uint32_t every[static INTERVALS])
         every[k] = k % 2 ? 2 << k / 2 : 3 << (k / 2 - 1);
 }
 
-static void draw_in_turn(int trials, struct drawing *drawings,
-                         struct trial *turns)
-{
-    for (int d = 0; d < 2 * INTERVALS; d++)
-        turns[d] =
-            (struct trial){.work = draw, .context = &drawings[d]};
-    time_in_turn(trials, turns, 2 * INTERVALS);
-}
-
 static void print_rows(const struct drawing *drawings,
                        const struct trial *turns)
 {
@@ -61,11 +50,10 @@ static void print_rows(const struct drawing *drawings,
     double useful = 0;
     for (uint32_t i = 0; i < c.n; i++)
         useful += drawings->steps[i];
-    for (int d = 0; d < 2 * INTERVALS; d += 2) {
+    for (int d = 0; d < 2 * INTERVALS; d += 2)
         row_of_times(&turns[d], 2, useful, "every_%u\t%u\t%.5g\t%.5g",
                      drawings[d].every, drawings[d].every, useful / c.n,
                      drawings[d].done / useful);
-    }
 }
 
 int main(int argc, char **argv)
@@ -75,23 +63,22 @@ int main(int argc, char **argv)
     uint32_t width = parameter(&e, "WIDTH", 240, 4, 10000);
     struct points c = picture(width, width / 4 * 3);
     struct lanes lanes = lanes_allocate(c.n);
-    double *steps = allocate(c.n, sizeof *steps);
     uint32_t every[INTERVALS];
     intervals(every);
     struct drawing drawings[2 * INTERVALS];
-    for (int d = 0; d < 2 * INTERVALS; d++)
+    struct trial turns[2 * INTERVALS];
+    double *steps = take(c.n, sizeof *steps);
+    for (int d = 0; d < 2 * INTERVALS; d++) {
         drawings[d] = (struct drawing){.p = primitives(isa_chosen()),
                                        .c = c,
                                        .every = every[d / 2],
                                        .length = d % 2 ? c.n : SHORT,
                                        .lanes = &lanes,
                                        .steps = steps};
-    struct trial turns[2 * INTERVALS];
-    draw_in_turn(trials, drawings, turns);
+        turns[d] = (struct trial){draw, &drawings[d]};
+    }
+    time_in_turn(trials, turns, 2 * INTERVALS);
     columns(&e, "name every useful done short_ns:3 long_ns:3");
     print_rows(drawings, turns);
-    free(steps);
-    lanes_free(&lanes);
-    points_free(&c);
     return 0;
 }

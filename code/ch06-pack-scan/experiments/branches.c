@@ -4,10 +4,7 @@
 //
 //     branches [LENGTH [TRIALS]]
 #include "ch06-pack-scan/primitives.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/random.h"
-#include <stdlib.h>
 
 //> Pack with a branch
 static uint32_t pack_branching(uint32_t *to, const uint32_t *from,
@@ -44,39 +41,25 @@ static void fill(struct packing *packing, int percent)
     }
 }
 
-static void print_versions(int percent, const struct trial *versions,
-                           int count, uint32_t n)
-{
-    row_of_times(versions, count, n, "kept_%d\t%d", percent, percent);
-}
-
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "LENGTH", 1 << 17, 1, MANY);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
-    struct packing packing = {NULL, allocate(n, sizeof(uint32_t)),
-                              allocate(n, sizeof(uint32_t)), n,
-                              allocate(n, sizeof(uint8_t))};
-    struct packing branching = packing, portable = packing,
-                   chosen = packing;
-    branching.pack = pack_branching;
+    struct packing branching = {
+        pack_branching, take(n, sizeof(uint32_t)),
+        take(n, sizeof(uint32_t)), n, take(n, sizeof(uint8_t))};
+    struct packing portable = branching, chosen = branching;
     portable.pack = primitives(PORTABLE)->pack;
     chosen.pack = primitives(isa_chosen())->pack;
-    struct trial versions[] = {
-        {.work = run_packing, .context = &branching},
-        {.work = run_packing, .context = &portable},
-        {.work = run_packing, .context = &chosen}};
-    enum { VERSIONS = sizeof versions / sizeof *versions };
-
+    struct trial versions[] = {{run_packing, &branching},
+                               {run_packing, &portable},
+                               {run_packing, &chosen}};
     columns(&e, "name percent branch_ns:3 portable_ns:3 vector_ns:3");
     for (int percent = 0; percent <= 100; percent += 5) {
-        fill(&packing, percent);
-        time_in_turn(trials, versions, VERSIONS);
-        print_versions(percent, versions, VERSIONS, n);
+        fill(&branching, percent); // which all three pack
+        time_in_turn(trials, versions, 3);
+        row_of_times(versions, 3, n, "kept_%d\t%d", percent, percent);
     }
-    free(packing.to);
-    free(packing.from);
-    free(packing.keep);
     return 0;
 }

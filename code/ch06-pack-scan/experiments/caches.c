@@ -1,7 +1,6 @@
 // Ask for the sizes of the caches.
 // See caches.h.
 #include "ch06-pack-scan/experiments/caches.h"
-#include "common/experiment.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>

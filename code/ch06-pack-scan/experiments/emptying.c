@@ -4,17 +4,7 @@
 //
 //     emptying [WIDTH [LIMIT]]
 #include "ch06-pack-scan/escape.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include <stdlib.h>
-
-// Count the points by their steps.
-// ended[k]: how many took k steps; those of limit may have gone on.
-static void histogram(const double *steps, uint32_t n, uint32_t *ended)
-{
-    for (uint32_t i = 0; i < n; i++)
-        ended[(uint32_t)steps[i]]++;
-}
 
 int main(int argc, char **argv)
 {
@@ -23,13 +13,12 @@ int main(int argc, char **argv)
     uint32_t limit = parameter(&e, "LIMIT", 1024, 1, MANY);
     struct points c = picture(width, width / 4 * 3);
     struct lanes lanes = lanes_allocate(c.n);
-    double *steps = allocate(c.n, sizeof *steps);
+    double *steps = take(c.n, sizeof *steps);
     escape(primitives(isa_chosen()), c, limit, 32, &lanes, steps);
-    uint32_t *ended = allocate(limit + 1, sizeof *ended);
-    for (uint32_t k = 0; k <= limit; k++)
-        ended[k] = 0;
-    histogram(steps, c.n, ended);
-
+    // How many took k steps; those of limit may have gone on.
+    uint32_t *ended = take(limit + 1, sizeof *ended);
+    for (uint32_t i = 0; i < c.n; i++)
+        ended[(uint32_t)steps[i]]++;
     columns(&e, "name step percent");
     uint32_t active = c.n, next = 1;
     for (uint32_t k = 0; k < limit; k++) {
@@ -39,9 +28,5 @@ int main(int argc, char **argv)
         row("after_%u\t%u\t%.4f", k + 1, k + 1, 100.0 * active / c.n);
         next = k + 1 + (k + 1) / 8 + 1;
     }
-    free(ended);
-    free(steps);
-    lanes_free(&lanes);
-    points_free(&c);
     return 0;
 }

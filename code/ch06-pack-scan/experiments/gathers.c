@@ -6,7 +6,6 @@
 //     gathers [TRIALS]
 #include "ch06-pack-scan/experiments/workload.h"
 #include "ch06-pack-scan/portable.h"
-#include "common/experiment.h"
 #ifdef HAVE_X86_VECTORS
 #include <immintrin.h>
 

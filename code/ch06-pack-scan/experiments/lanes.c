@@ -8,17 +8,22 @@
 #include "ch06-pack-scan/escape.h"
 #include "common/experiment.h"
 #include "common/report.h"
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { WIDTH = 240, ROW = 66, GAP = 16 };
 
-// Print what every lane does.
 // Lane i works for point[i], which takes steps[point[i]] steps.
 static int work(const uint32_t *point, uint32_t n, uint32_t i,
                 const double *steps, uint32_t step)
 {
     return i >= n ? 0 : steps[point[i]] > step ? 2 : 1;
+}
+
+static void print_head(void)
+{
+    report_provenance(stdout);
+    for (int column = 0; column < 2 * WIDTH + GAP; column++)
+        printf("%sc%d", column ? "\t" : "", column);
+    row_end();
 }
 
 static void print_lanes(const uint32_t *all, const uint32_t *packed,
@@ -43,25 +48,18 @@ int main(int argc, char **argv)
     struct points row = {WIDTH, c.x + ROW * WIDTH, c.y + ROW * WIDTH};
     struct lanes lanes = lanes_allocate(WIDTH);
     double steps[WIDTH];
-    uint32_t all[WIDTH], packed[WIDTH], n = WIDTH;
-    uint8_t inside[WIDTH];
     escape(p, row, limit, every, &lanes, steps);
+    uint32_t all[WIDTH], packed[WIDTH], n = WIDTH;
     for (uint32_t i = 0; i < WIDTH; i++)
         all[i] = packed[i] = i;
-
-    report_provenance(stdout);
-    for (int column = 0; column < 2 * WIDTH + GAP; column++)
-        printf("%sc%d", column ? "\t" : "", column);
-    putchar('\n');
+    print_head();
     for (uint32_t step = 0; step < limit; step++) {
-        if (step > 0 && step % every == 0) {
-            for (uint32_t i = 0; i < n; i++)
-                inside[i] = steps[packed[i]] > step;
+        uint8_t inside[WIDTH];
+        for (uint32_t i = 0; i < n; i++)
+            inside[i] = steps[packed[i]] > step;
+        if (step > 0 && step % every == 0)
             n = p->pack(packed, packed, inside, n);
-        }
         print_lanes(all, packed, n, steps, step);
     }
-    lanes_free(&lanes);
-    points_free(&c);
     return 0;
 }

@@ -5,7 +5,6 @@
 //     lengths [TRIALS [LARGEST]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch06-pack-scan/experiments/workload.h"
-#include "common/experiment.h"
 
 // Price every primitive at one length.
 static void print_prices(size_t bytes, int trials)

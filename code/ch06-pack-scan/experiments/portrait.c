@@ -4,11 +4,8 @@
 //
 //     portrait [WIDTH [LIMIT]]
 #include "ch06-pack-scan/escape.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
 #include "common/report.h"
-#include <stdio.h>
-#include <stdlib.h>
 
 int main(int argc, char **argv)
 {
@@ -18,16 +15,13 @@ int main(int argc, char **argv)
     uint32_t height = width / 4 * 3;
     struct points c = picture(width, height);
     struct lanes lanes = lanes_allocate(c.n);
-    double *steps = allocate(c.n, sizeof *steps);
+    double *steps = take(c.n, sizeof *steps);
     escape(primitives(isa_chosen()), c, limit, 32, &lanes, steps);
     report_provenance(stdout);
     for (uint32_t column = 0; column < width; column++)
         printf("%sc%u", column ? "\t" : "", column);
     for (uint32_t i = 0; i < c.n; i++)
         printf("%c%.0f", i % width ? '\t' : '\n', steps[i]);
-    putchar('\n');
-    free(steps);
-    lanes_free(&lanes);
-    points_free(&c);
+    row_end();
     return 0;
 }

@@ -7,7 +7,6 @@
 //
 //     predictors
 #include "common/experiment.h"
-#include "common/random.h"
 
 enum { MARKS = 1 << 17, FEW = 1000, LONGEST = 20, PASSES = 10 };
 

@@ -7,8 +7,6 @@
 //     prices [TRIALS [LARGEST]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch06-pack-scan/experiments/workload.h"
-#include "common/experiment.h"
-#include <stdio.h>
 
 enum { LEVELS = 4 };
 

@@ -4,10 +4,7 @@
 //
 //     threads [TRIALS [LONGEST]]
 #include "ch06-pack-scan/blocked.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include "common/random.h"
-#include <stdlib.h>
 
 enum { BLOCK = 1 << 15, THREADS = 2 };
 
@@ -49,9 +46,8 @@ static void print_times(const char *name, void (*work)(void *),
     whole.block = alone.n / whole.threads + 1;
     blocks = whole;
     blocks.block = BLOCK;
-    struct trial turns[] = {{.work = work, .context = &alone},
-                            {.work = work, .context = &whole},
-                            {.work = work, .context = &blocks}};
+    struct trial turns[] = {
+        {work, &alone}, {work, &whole}, {work, &blocks}};
     time_in_turn(trials, turns, 3);
     row_of_times(turns, 3, (double)alone.n * alone.rounds,
                  "%s_%u\t%u\t%d", name, alone.n, alone.n,
@@ -65,9 +61,9 @@ int main(int argc, char **argv)
     uint32_t longest = parameter(&e, "LONGEST", 1 << 22, 1 << 12, MANY);
     struct calls run = {
         .p = primitives(isa_chosen()),
-        .to = allocate(longest, sizeof(uint32_t)),
-        .from = allocate(longest, sizeof(uint32_t)),
-        .keep = allocate(longest, sizeof(uint8_t)),
+        .to = take(longest, sizeof(uint32_t)),
+        .from = take(longest, sizeof(uint32_t)),
+        .keep = take(longest, sizeof(uint8_t)),
         .threads = 1,
     };
     struct random random = {1};
@@ -76,14 +72,11 @@ int main(int argc, char **argv)
         run.keep[i] = random_bits(&random) & 1;
     }
     columns(&e, "name n threads one_ns:3 halves_ns:3 blocks_ns:3");
-    for (uint64_t n = 1 << 12; n <= longest; n *= 4) {
+    for (uint32_t n = 1 << 12; n <= longest; n *= 4) {
         run.n = n;
         run.rounds = n < 1 << 20 ? (1 << 20) / n : 1;
         print_times("scan", run_scan, run, trials);
         print_times("pack", run_pack, run, trials);
     }
-    free(run.to);
-    free(run.from);
-    free(run.keep);
     return 0;
 }

@@ -1,10 +1,6 @@
 // Price the primitives in turn.
 // See workload.h.
 #include "ch06-pack-scan/experiments/workload.h"
-#include "common/allocate.h"
-#include "common/experiment.h"
-#include "common/random.h"
-#include <stdlib.h>
 
 // Know what a primitive touches.
 const char *const work_names[WORKS] = {"elementwise",

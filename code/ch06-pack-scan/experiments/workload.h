@@ -5,8 +5,7 @@
 // at random.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
-#include "common/clock.h"
-#include <stddef.h>
+#include "common/experiment.h"
 
 enum work {
     ELEMENTWISE,

@@ -4,10 +4,7 @@
 // point.
 //
 //     compare [POINTS [TRIALS]]
-#include "algorithms.h"
 #include "common/experiment.h"
-#include <omp.h>
-#include <stdio.h>
 
 static const struct {
     const char *algorithm, *name;
@@ -21,28 +18,24 @@ enum { SEARCHES = 3, KINDS = sizeof kinds / sizeof *kinds };
 static void compare_on(const char *kind, uint32_t n, int trials)
 {
     struct question question = kind_question(kind, n, 1);
-    struct answers answers = answers_allocate(n);
-    struct search search[SEARCHES];
+    struct answers *answers = new_answers(n, BOTH);
+    const struct algorithm *algorithm[SEARCHES];
     struct trial trial[SEARCHES];
     for (int k = 0; k < SEARCHES; k++) {
-        search[k] =
-            (struct search){find_algorithm(searches[k].algorithm)->run,
-                            question, &answers};
-        trial[k] =
-            (struct trial){.work = run_search, .context = &search[k]};
+        algorithm[k] = find_algorithm(searches[k].algorithm);
+        trial[k] = search_trial(algorithm[k]->run, &question, answers);
     }
     time_in_turn(trials, trial, SEARCHES);
     question.threads = omp_get_num_procs();
     for (int k = 0; k < SEARCHES; k++) {
-        struct counts counts = count_operations(
-            find_algorithm(searches[k].algorithm), &question, &answers);
+        struct counts counts =
+            count_operations(algorithm[k], &question, answers);
         row_of_times(&trial[k], 1, n, "%s_%s\t%u\t%.6g\t%.6g",
                      searches[k].name, kind, n,
                      (double)counts.distances / n,
                      (double)counts.cells / n);
     }
-    answers_free(&answers);
-    points_free(&question.points);
+    forget();
 }
 
 int main(int argc, char **argv)

@@ -6,14 +6,11 @@
 #include "ch07-spiral/experiments/expected.h"
 #include "ch07-spiral/spiral.h"
 #include "common/experiment.h"
-#include <omp.h>
 
-struct setting {
+static const struct {
     const char *name;
     double c;
-};
-
-static const struct setting settings[] = {
+} settings[] = {
     {"third", 1.0 / 3}, {"half", 0.5},         {"two_thirds", 2.0 / 3},
     {"one", 1},         {"three_halves", 1.5}, {"two", 2},
     {"three", 3},       {"four", 4},           {"six", 6},
@@ -44,13 +41,12 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 100000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    struct answers answers = answers_allocate(n);
+    struct answers *answers = new_answers(n, BOTH);
     struct timed timed[SETTINGS];
     struct trial trial[SETTINGS];
     for (int k = 0; k < SETTINGS; k++) {
-        timed[k] = (struct timed){&question, &answers, settings[k].c};
-        trial[k] = (struct trial){.work = sort_and_search,
-                                  .context = &timed[k]};
+        timed[k] = (struct timed){&question, answers, settings[k].c};
+        trial[k] = (struct trial){sort_and_search, &timed[k]};
     }
     time_in_turn(trials, trial, SETTINGS);
     columns(&e,
@@ -64,7 +60,5 @@ int main(int argc, char **argv)
             settings[k].name, n, census.per_cell, census.distances,
             census.cells, expected.distances, expected.cells);
     }
-    answers_free(&answers);
-    points_free(&question.points);
     return 0;
 }

@@ -2,7 +2,6 @@
 // cells are empty. Lengths are in cells, and the cell of the query is
 // the unit square, with the query at (u, v).
 #include "ch07-spiral/experiments/expected.h"
-#include "common/experiment.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-// Run one search of the table once, on uniform points, so that another
+// Runs one search of the table once, on uniform points, so that another
 // program can count what the processor does in it.
 //
 //     one_search blocks|together|spiral [POINTS]
@@ -6,7 +6,6 @@
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch07-spiral/spiral.h"
 #include "common/experiment.h"
-#include <string.h>
 
 int main(int argc, char **argv)
 {
@@ -14,14 +13,10 @@ int main(int argc, char **argv)
     const char *name = argc > 1 ? argv[e.next++] : "spiral";
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    struct answers answers = answers_allocate(n);
-    if (strcmp(name, "blocks") == 0)
-        cells_indices(&question, &answers);
-    else if (strcmp(name, "together") == 0)
-        cells_batched(&question, &answers);
-    else
-        spiral(&question, &answers);
-    answers_free(&answers);
-    points_free(&question.points);
+    search_function *search =
+        strcmp(name, "blocks") == 0     ? cells_indices
+        : strcmp(name, "together") == 0 ? cells_batched
+                                        : spiral;
+    search(&question, new_answers(n, BOTH));
     return 0;
 }

@@ -6,10 +6,8 @@
 // point. Distances and cells a point, and how many answers are wrong.
 //
 //     rules [POINTS]
-#include "algorithms.h"
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"
-#include <stdio.h>
 
 enum rule {
     ONE_MORE,
@@ -119,7 +117,7 @@ static void search_by(enum rule rule, const struct map *map,
 static void count_rule(enum rule rule, const struct map *map,
                        const double *right2, double c)
 {
-    uint64_t distances = 0, visited = 0, wrong = 0;
+    uintmax_t distances = 0, visited = 0, wrong = 0;
 #pragma omp parallel for schedule(dynamic, 256) \
     reduction(+ : distances, visited, wrong)
     for (uint32_t i = 0; i < map->points.n; i++) {
@@ -130,9 +128,8 @@ static void count_rule(enum rule rule, const struct map *map,
         wrong += query.best2 != right2[i];
     }
     double n = map->points.n;
-    row("%s_%g\t%u\t%g\t%.6g\t%.6g\t%llu", rule_names[rule], c,
-        map->points.n, c, distances / n, visited / n,
-        (unsigned long long)wrong);
+    row("%s_%g\t%u\t%g\t%.6g\t%.6g\t%ju", rule_names[rule], c,
+        map->points.n, c, distances / n, visited / n, wrong);
 }
 
 int main(int argc, char **argv)
@@ -140,8 +137,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 100000, 2, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    struct answers right = answers_allocate(n);
-    find_algorithm("cells")->run(&question, &right);
+    struct answers *right = new_answers(n, BOTH);
+    find_algorithm("cells")->run(&question, right);
     columns(&e, "name n c distances cells wrong");
     for (int c = 1; c <= 3; c++) {
         struct grid grid = grid_fit(&question, c);
@@ -149,11 +146,9 @@ int main(int argc, char **argv)
         struct map map = {&grid, &cells, question.points,
                           question.space};
         for (enum rule rule = 0; rule < RULES; rule++)
-            count_rule(rule, &map, right.nearest2, c);
+            count_rule(rule, &map, right->nearest2, c);
         cells_free(&cells);
         grid_free(&grid);
     }
-    answers_free(&right);
-    points_free(&question.points);
     return 0;
 }

@@ -9,66 +9,44 @@
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch07-spiral/experiments/census.h"
 #include "ch07-spiral/spiral.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include <omp.h>
-#include <stdio.h>
-#include <stdlib.h>
 
-enum { BYTES_READ = 24, LOTS = 1000000 };
+enum { BYTES_READ = 24, LOTS = 1000000, MOST_SETS = 1000 };
+enum { ONE, TWO, COMING, ORDERED, COLUMNS }; // the last two: ns a point
 
-struct samples {
-    double *one, *two;        // distances a point
-    double *coming, *ordered; // ns a point, without the sort
-};
-
-static double time_search(const struct question *question,
-                          const struct grid *grid,
-                          const struct cells *cells,
-                          const uint32_t *order,
-                          struct answers *answers)
-{
-    int64_t begin = clock_ns();
-    search_spiral(question, grid, cells, order, answers);
-    return (double)(clock_ns() - begin) / question->points.n;
-}
-
-static void try_set(uint32_t n, int set, struct samples *samples)
+static void try_set(uint32_t n, int set,
+                    double found[COLUMNS][MOST_SETS])
 {
     struct question question = uniform_question(STANDARD, n, set + 1);
-    struct answers answers = answers_allocate(n);
+    struct answers *answers = new_answers(n, NEAREST);
     question.threads = omp_get_num_procs();
-    samples->one[set] = take_census(&question, 1).distances;
-    samples->two[set] = take_census(&question, 2).distances;
+    found[ONE][set] = take_census(&question, 1).distances;
+    found[TWO][set] = take_census(&question, 2).distances;
     question.threads = 1;
     struct grid grid = grid_fit(&question, 1);
     struct cells cells = cells_sort(&grid, question.points);
-    samples->coming[set] =
-        time_search(&question, &grid, &cells, NULL, &answers);
-    samples->ordered[set] =
-        time_search(&question, &grid, &cells, cells.point, &answers);
+    int64_t begin = clock_ns();
+    search_spiral(&question, &grid, &cells, NULL, answers);
+    int64_t middle = clock_ns();
+    search_spiral(&question, &grid, &cells, cells.point, answers);
+    found[COMING][set] = (double)(middle - begin) / n;
+    found[ORDERED][set] = (double)(clock_ns() - middle) / n;
     cells_free(&cells);
     grid_free(&grid);
-    answers_free(&answers);
-    points_free(&question.points);
+    forget();
 }
 
-static void print_five(double *values, int sets)
+static void print_size(uint32_t n, int sets)
 {
-    struct summary s = summarize(values, sets);
-    row_spread(&s);
-}
-
-static void print_size(uint32_t n, int sets, struct samples *samples)
-{
+    static double found[COLUMNS][MOST_SETS];
     for (int set = 0; set < sets; set++)
-        try_set(n, set, samples);
+        try_set(n, set, found);
     struct caches caches = caches_of_machine();
     row_begin("n%u\t%u\t%d", n, n, sets);
-    print_five(samples->one, sets);
-    print_five(samples->two, sets);
-    print_five(samples->coming, sets);
-    print_five(samples->ordered, sets);
+    for (int c = 0; c < COLUMNS; c++) {
+        struct summary summary = summarize(found[c], sets);
+        row_spread(&summary);
+    }
     row_cells("\t%zu\t%zu", caches.l2 / BYTES_READ,
               caches.l3 / BYTES_READ);
     row_end();
@@ -79,19 +57,10 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", LOTS, 1000, MANY);
-    int sets = parameter(&e, "SETS", 3, 1, 1000);
-    double *room = allocate(4 * (size_t)sets, sizeof *room);
-    struct samples samples = {room, room + sets, room + 2 * sets,
-                              room + 3 * sets};
+    int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
     columns(&e, "name n sets one:5 two:5 coming:5 ordered:5 l2_points"
                 " l3_points");
-    for (uint64_t n = 1000; n <= most; n *= 10)
-        for (int times = 1; times <= 3; times += 2) {
-            uint64_t points = times * n;
-            if (points <= most)
-                print_size(points, points > LOTS && sets > 3 ? 3 : sets,
-                           &samples);
-        }
-    free(room);
+    for (uint32_t n = 1000; n <= most; n = next_size(n))
+        print_size(n, n > LOTS && sets > 3 ? 3 : sets);
     return 0;
 }

@@ -8,8 +8,6 @@
 //     trace
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"
-#include "common/fail.h"
-#include <stdio.h>
 
 enum { POINTS = 1000, MOST_CELLS = 200 };
 
@@ -87,12 +85,11 @@ static void print_trace(const struct map *map, const struct recorder *r,
         const struct spiral_query *before = &r->before[k];
         const struct spiral_query *after =
             k + 1 < r->count ? before + 1 : &r->query;
-        row_begin(
-            "cell\t%u\t%u\t%d\t%d\t%d\t%llu\t", cell % columns,
-            cell / columns, k + 1, layer, layer <= ends ? 1 : 2,
-            (unsigned long long)(after->distances - before->distances));
+        row_begin("cell\t%u\t%u\t%d\t%d\t%d\t%ju\t", cell % columns,
+                  cell / columns, k + 1, layer, layer <= ends ? 1 : 2,
+                  (uintmax_t)(after->distances - before->distances));
         if (after->nearest == NO_INDEX)
-            puts("-");
+            row("-");
         else
             row("%.3f", sqrt(after->best2) * grid->x.scale);
     }
@@ -122,8 +119,5 @@ int main(int argc, char **argv)
             break;
         }
     }
-    cells_free(&cells);
-    grid_free(&grid);
-    points_free(&question.points);
     return 0;
 }

@@ -5,13 +5,11 @@
 #include "ch07-spiral/experiments/expected.h"
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"
-#include <stdlib.h>
 
 enum { FAR = 3, WIDE = 2 * FAR + 1 };
 
 struct visitor {
     struct spiral_query query; // first, to be found from it
-    int32_t column, row;       // of the query
     uint64_t visits[WIDE][WIDE];
 };
 
@@ -30,8 +28,8 @@ INLINED void visit_and_note(const enum geometry geometry,
 {
     struct visitor *visitor = (struct visitor *)query;
     const struct axis *x = &map->grid->x, *y = &map->grid->y;
-    int32_t dx = steps_to(x, visitor->column, cell % x->count);
-    int32_t dy = steps_to(y, visitor->row, cell / x->count);
+    int32_t dx = steps_to(x, query->column, cell % x->count);
+    int32_t dy = steps_to(y, query->row, cell / x->count);
     if (abs(dx) <= FAR && abs(dy) <= FAR)
         visitor->visits[FAR + dy][FAR + dx]++;
     visit_cell(geometry, map, cell, query);
@@ -39,11 +37,8 @@ INLINED void visit_and_note(const enum geometry geometry,
 
 static void visit_all(const struct map *map, struct visitor *visitor)
 {
-    const struct points p = map->points;
-    for (uint32_t i = 0; i < p.n; i++) {
+    for (uint32_t i = 0; i < map->points.n; i++) {
         visitor->query = spiral_query_at(map, i);
-        visitor->column = axis_cell(&map->grid->x, p.x[i]);
-        visitor->row = axis_cell(&map->grid->y, p.y[i]);
         spiral_nearest(WRAPAROUND, map, visit_and_note,
                        &visitor->query);
     }
@@ -66,8 +61,5 @@ int main(int argc, char **argv)
                 FAR + dx, n, dx, dy,
                 (double)visitor.visits[FAR + dy][FAR + dx] / n,
                 dx || dy ? expected_visits(1, dx, dy) : 1);
-    cells_free(&cells);
-    grid_free(&grid);
-    points_free(&question.points);
     return 0;
 }

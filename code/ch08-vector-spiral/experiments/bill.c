@@ -9,9 +9,6 @@
 #include "ch08-vector-spiral/by_primitives.h"
 #include "ch08-vector-spiral/experiments/small_prices.h"
 #include "ch08-vector-spiral/vector_spiral.h"
-#include "common/allocate.h"
-#include "common/experiment.h"
-#include <stdlib.h>
 
 enum { SORT = WATCHED, WHOLE, LOOPS };
 
@@ -140,31 +137,22 @@ static void time_in_trials(const struct question *question, int trials,
                            struct summary loops_ns[static LOOPS],
                            struct tally *tally)
 {
-    struct answers answers = answers_allocate(question->points.n);
+    struct answers *answers = new_answers(question->points.n, BOTH);
     double reading = watch_price(), ns[LOOPS];
-    double *values = allocate((size_t)trials * LOOPS, sizeof *values);
+    double *values = take((size_t)trials * LOOPS, sizeof *values);
     for (int trial = -1; trial < trials; trial++) { // the first warms
-        time_loops(question, &answers, reading, ns, tally);
+        time_loops(question, answers, reading, ns, tally);
         for (int k = 0; k < LOOPS && trial >= 0; k++)
             values[k * trials + trial] = ns[k];
     }
     for (int k = 0; k < LOOPS; k++)
         loops_ns[k] = summarize(values + k * trials, trials);
-    free(values);
-    answers_free(&answers);
 }
 
 static void print_price(const char *where, const char *work,
                         double price)
 {
     row("%s%s\tprice\t1\t%.4g\tnan\tnan\tnan\tnan", where, work, price);
-}
-
-static void print_line(const char *name, const char *loop,
-                       double elements, double price)
-{
-    row_begin("%s\t%s\t%.5g\t%.4g\t%.4g", name, loop, elements, price,
-              elements * price);
 }
 
 static void print_bill(const struct line *lines,
@@ -180,15 +168,15 @@ static void print_bill(const struct line *lines,
     print_price("start", "", prices->start);
     for (int k = 0; k < LINES; k++) {
         double price = price_of(&lines[k], prices);
-        print_line(lines[k].name, loop_names[lines[k].loop],
-                   lines[k].elements, price);
-        row_cells("\tnan\tnan\tnan");
-        row_end();
-        sums[lines[k].loop] += lines[k].elements * price;
-        sums[WHOLE] += lines[k].elements * price;
+        double whole = lines[k].elements * price;
+        row("%s\t%s\t%.5g\t%.4g\t%.4g\tnan\tnan\tnan", lines[k].name,
+            loop_names[lines[k].loop], lines[k].elements, price, whole);
+        sums[lines[k].loop] += whole;
+        sums[WHOLE] += whole;
     }
     for (int k = 0; k < LOOPS; k++) {
-        print_line(loop_names[k], "sum", 1, sums[k]);
+        row_begin("%s\tsum\t1\t%.4g\t%.4g", loop_names[k], sums[k],
+                  sums[k]);
         row_times(&ns[k], n);
         row_end();
     }
@@ -214,6 +202,5 @@ int main(int argc, char **argv)
     list_lines(&tally, n, lines);
     columns(&e, "name loop elements price predicted measured:3");
     print_bill(lines, &prices, ns, n);
-    points_free(&question.points);
     return 0;
 }

@@ -8,7 +8,6 @@
 #include "ch08-vector-spiral/experiments/versions.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "common/experiment.h"
-#include "common/isa.h"
 
 static const struct {
     const char *name;
@@ -29,21 +28,17 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 static void time_kind(const char *kind, uint32_t n, int trials)
 {
     struct question question = kind_question(kind, n, 1);
-    struct answers answers = answers_allocate(n);
-    struct search search[VERSIONS];
+    struct answers *answers = new_answers(n, BOTH);
     struct trial trial[VERSIONS];
     for (int v = 0; v < VERSIONS; v++) {
-        search[v] =
-            (struct search){versions[v].search, question, &answers};
-        trial[v] = (struct trial){run_search, &search[v],
-                                  .prepare = run_search};
+        trial[v] = search_trial(versions[v].search, &question, answers);
+        trial[v].prepare = trial[v].work;
     }
     time_in_turn(trials, trial, VERSIONS);
     for (int v = 0; v < VERSIONS; v++)
         row_of_times(&trial[v], 1, n, "%s_%s\t%s\t%u", versions[v].name,
                      kind, isa_names[isa_chosen()], n);
-    answers_free(&answers);
-    points_free(&question.points);
+    forget();
 }
 
 // On Kuzmin's disc every pair is compared.

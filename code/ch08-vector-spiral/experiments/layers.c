@@ -8,8 +8,6 @@
 #include "ch08-vector-spiral/spiral_kernels.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "common/experiment.h"
-#include <omp.h>
-#include <stdlib.h>
 
 enum { LAYERS_PRINTED = 4 };
 
@@ -42,21 +40,17 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 1000000, 1000, MANY);
     struct question question = uniform_question(WRAPAROUND, n, 1);
-    struct answers answers = answers_allocate(n);
     question.threads = omp_get_num_procs();
-    const struct spiral_kernels *kernels = spiral_kernels(isa_chosen());
     struct grid grid = grid_fit(&question, 1);
     struct cells cells = cells_sort(&grid, question.points);
     struct tally tally;
-    struct strip_plan plan = {kernels, STRIP, &tally, NULL};
-    advance_tasks(&question, &grid, &cells, &plan, &answers);
+    struct strip_plan plan = {spiral_kernels(isa_chosen()), STRIP,
+                              &tally, NULL};
+    advance_tasks(&question, &grid, &cells, &plan,
+                  new_answers(n, NEAREST));
     columns(&e, "name n layer seeking expected_seeking looking shown"
                 " expected_shown");
     for (int k = 0; k < LAYERS_PRINTED; k++)
         print_layer(&tally, n, (double)n / grid_cells(&grid), k);
-    cells_free(&cells);
-    grid_free(&grid);
-    answers_free(&answers);
-    points_free(&question.points);
     return 0;
 }

@@ -1,9 +1,6 @@
 // Measures what a table of primitives does not: operations on a number
 // in a register, and the start of a short loop.
 #include "ch08-vector-spiral/experiments/small_prices.h"
-#include "common/allocate.h"
-#include "common/random.h"
-#include <stdlib.h>
 
 // Of sixteen, from the load of a number to its store.
 enum { NUMBERS_OPERATED = 1024, OPERATIONS = 16, ROUNDS = 512 };
@@ -54,14 +51,13 @@ double start_price(const struct primitives *p, int trials,
                    const struct summary near[WORKS])
 {
     struct random random = {1};
-    struct starts starts = {p, allocate(STARTS, sizeof(uint32_t))};
+    struct starts starts = {p, take(STARTS, sizeof(uint32_t))};
     double elements = 0;
     for (uint32_t k = 0; k < STARTS; k++) {
         starts.length[k] = random_bits(&random) % MOST;
         elements += starts.length[k];
     }
     struct summary ns = time_trials(trials, start_loops, &starts);
-    free(starts.length);
     return (ns.median - elements * (near[GATHER_IN_ORDER].median +
                                     near[PACK].median)) /
            (2.0 * STARTS);

@@ -1,8 +1,6 @@
 // Prices beside those of the primitives, in nanoseconds.
 #pragma once
 #include "ch06-pack-scan/experiments/workload.h"
-#include "ch06-pack-scan/primitives.h"
-#include "common/experiment.h"
 
 // Of one of the operations between the load of a number and its store.
 double operation_price(int trials);

@@ -1,6 +1,5 @@
 // See expected_spans.h.
 #include "ch09-row-spans/experiments/expected_spans.h"
-#include "common/experiment.h"
 #include <math.h>
 
 // Eight points have seven gaps, 1/c cells long; the block ends a column

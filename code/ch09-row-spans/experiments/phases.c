@@ -6,12 +6,10 @@
 // read every point once and to write every answer once.
 //
 //     phases [POINTS [TRIALS]]
-#include "algorithms.h"
 #include "ch05-collisions/partition.h"
 #include "ch09-row-spans/row_spans.h"
 #include "ch09-row-spans/span_kernels.h"
 #include "common/experiment.h"
-#include <omp.h>
 
 struct phases {
     struct question question;
@@ -139,32 +137,28 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 1000000, 2, MANY);
     int count = parameter(&e, "TRIALS", 3, 1, MANY);
-    struct answers answers = answers_for(n, NEAREST);
-    struct phases one = {.question = uniform_question(STANDARD, n, 1),
-                         .answers = &answers};
     struct workspace workspace = {0};
-    one.workspace = one.question.workspace = &workspace;
+    struct phases one = {.question = uniform_question(STANDARD, n, 1),
+                         .in_order = take(n, sizeof *one.in_order),
+                         .in_chunk = take(n, sizeof *one.in_chunk),
+                         .answers = new_answers(n, NEAREST),
+                         .workspace = &workspace};
+    one.question.workspace = &workspace;
     one.partition = partition_make(&one.question, POINTS_PER_SPAN_CELL,
                                    RESTORE, &workspace);
-    one.in_order = workspace_take(&workspace, n, sizeof *one.in_order);
-    one.in_chunk = workspace_take(&workspace, n, sizeof *one.in_chunk);
     for (uint32_t s = 0; s < n; s++)
         one.in_order[s] = s, one.in_chunk[s] = s % CHUNK;
     struct phases all = one;
     all.question.threads = omp_get_num_procs();
     struct trial trials[2 * PHASES];
     for (int k = 0; k < 2 * PHASES; k++)
-        trials[k] = (struct trial){.work = phases[k / 2].work,
-                                   .prepare = phases[k / 2].work,
-                                   .context = k % 2 ? &all : &one};
+        trials[k] =
+            (struct trial){phases[k / 2].work, k % 2 ? &all : &one,
+                           .prepare = phases[k / 2].work};
     time_in_turn(count, trials, 2 * PHASES);
     columns(&e, "name n threads one:3 all:3");
-    for (int k = 0; k < PHASES; k++) {
+    for (int k = 0; k < PHASES; k++)
         row_of_times(&trials[2 * k], 2, n, "%s\t%u\t%d", phases[k].name,
                      n, all.question.threads);
-    }
-    workspace_free(&workspace);
-    points_free(&one.question.points);
-    answers_free(&answers);
     return 0;
 }

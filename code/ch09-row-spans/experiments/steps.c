@@ -4,7 +4,6 @@
 // answered exactly.
 //
 //     steps [POINTS [TRIALS]]
-#include "algorithms.h"
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch09-row-spans/point_query.h"
@@ -12,23 +11,11 @@
 #include "ch09-row-spans/span_kernels.h"
 #include "common/experiment.h"
 
-enum step {
-    INDICES,
-    SORTED,
-    SPANS,
-    VECTORS,
-    SKIP_ROWS,
-    FOUR,
-    SIFTED,
-    FEWER,
-    STEPS
-};
-
 struct steps {
     struct question question;
     struct partition two, fewer; // in a cell; as row-spans has it
     struct workspace workspace;
-    struct answers answers;
+    struct answers *answers;
 };
 
 static void by_indices(void *context)
@@ -36,13 +23,13 @@ static void by_indices(void *context)
     struct steps *s = context;
     search_indices(&s->question, &s->two.sorted.grid,
                    &s->two.sorted.cells, s->two.sorted.cells.point,
-                   &s->answers);
+                   s->answers);
 }
 
 static void by_sorted(void *context)
 {
     struct steps *s = context;
-    search_sorted(&s->question, &s->two.sorted, &s->answers);
+    search_sorted(&s->question, &s->two.sorted, s->answers);
 }
 
 // The exact query of row spans without its pruning.
@@ -79,8 +66,8 @@ static struct counts query_each(struct steps *s, query_function *query,
     struct counts counts = {.tasks = sorted->points.n};
     for (uint32_t k = 0; k < sorted->points.n; k++) {
         struct point_query found = query(&scene, k);
-        s->answers.nearest[point[k]] = found.nearest;
-        s->answers.nearest2[point[k]] = found.best2;
+        s->answers->nearest[point[k]] = found.nearest;
+        s->answers->nearest2[point[k]] = found.best2;
         counts.distances += found.compared;
     }
     return counts;
@@ -104,62 +91,84 @@ static void by_skipping(void *context)
 static void by_four(void *context)
 {
     struct steps *s = context;
-    search_batches(&s->question, &s->two.sorted, &s->answers);
+    search_batches(&s->question, &s->two.sorted, s->answers);
 }
 
 static void by_sifting(void *context)
 {
     struct steps *s = context;
-    search_row_spans(&s->question, &s->two, &s->workspace, &s->answers);
+    search_row_spans(&s->question, &s->two, &s->workspace, s->answers);
 }
 
 static void by_fewer(void *context)
 {
     struct steps *s = context;
     search_row_spans(&s->question, &s->fewer, &s->workspace,
-                     &s->answers);
+                     s->answers);
 }
 
 // Chapter 4's searches by points compute as many distances as they find
 // points in the blocks, which is what spans find, too. Its four
 // queries together are counted as the row of the table.
-static struct counts count_step(struct steps *s, enum step step)
+static struct counts count_blocks(struct steps *s)
 {
-    if (step == FOUR)
-        return count_operations(find_algorithm("cells"), &s->question,
-                                &s->answers);
-    if (step <= SKIP_ROWS)
-        return query_each(
-            s, step == SKIP_ROWS ? nearest_query : query_all_rows,
-            span_kernels());
+    return query_each(s, query_all_rows, span_kernels());
+}
+
+static struct counts count_skipping(struct steps *s)
+{
+    return query_each(s, nearest_query, span_kernels());
+}
+
+static struct counts count_four(struct steps *s)
+{
+    return count_operations(find_algorithm("cells"), &s->question,
+                            s->answers);
+}
+
+static struct counts count_spans(const struct steps *s,
+                                 const struct partition *partition)
+{
     struct counts counts = {0};
     struct question question = s->question;
     question.counts = &counts;
-    search_row_spans(&question, step == FEWER ? &s->fewer : &s->two,
-                     &s->workspace, &s->answers);
+    struct workspace scratch = {0};
+    search_row_spans(&question, partition, &scratch, s->answers);
+    workspace_free(&scratch);
     return counts;
 }
+
+static struct counts count_sifting(struct steps *s)
+{
+    return count_spans(s, &s->two);
+}
+
+static struct counts count_fewer(struct steps *s)
+{
+    return count_spans(s, &s->fewer);
+}
+
+static const struct {
+    const char *name;
+    void (*work)(void *);
+    struct counts (*count)(struct steps *);
+} steps[] = {{"indices", by_indices, count_blocks},
+             {"sorted", by_sorted, count_blocks},
+             {"spans", by_spans, count_blocks},
+             {"vectors", by_vectors, count_blocks},
+             {"skipping", by_skipping, count_skipping},
+             {"four", by_four, count_four},
+             {"sifted", by_sifting, count_sifting},
+             {"fewer", by_fewer, count_fewer}};
+enum { STEPS = sizeof steps / sizeof *steps };
 
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    static const struct {
-        const char *name;
-        void (*work)(void *);
-    } steps[STEPS] = {
-        [INDICES] = {"indices", by_indices},
-        [SORTED] = {"sorted", by_sorted},
-        [SPANS] = {"spans", by_spans},
-        [VECTORS] = {"vectors", by_vectors},
-        [SKIP_ROWS] = {"skipping", by_skipping},
-        [FOUR] = {"four", by_four},
-        [SIFTED] = {"sifted", by_sifting},
-        [FEWER] = {"fewer", by_fewer},
-    };
     uint32_t n = parameter(&e, "POINTS", 100000, 2, MANY);
     int count = parameter(&e, "TRIALS", 5, 1, MANY);
     struct steps s = {.question = uniform_question(STANDARD, n, 1),
-                      .answers = answers_allocate(n)};
+                      .answers = new_answers(n, BOTH)};
     s.two = partition_make(&s.question, POINTS_PER_CELL, RESTORE,
                            &s.workspace);
     s.fewer = partition_make(&s.question, POINTS_PER_SPAN_CELL, RESTORE,
@@ -171,13 +180,10 @@ int main(int argc, char **argv)
     time_in_turn(count, trials, STEPS);
     columns(&e, "name n distances alone ns:3");
     for (int k = 0; k < STEPS; k++) {
-        struct counts counts = count_step(&s, k);
+        struct counts counts = steps[k].count(&s);
         row_of_times(&trials[k], 1, n, "%s\t%u\t%.5g\t%.4g",
                      steps[k].name, n, (double)counts.distances / n,
                      (double)counts.tasks / n);
     }
-    workspace_free(&s.workspace);
-    answers_free(&s.answers);
-    points_free(&s.question.points);
     return 0;
 }

@@ -3,9 +3,7 @@
 // and answers included.
 //
 //     vast [POINTS]
-#include "algorithms.h"
 #include "common/experiment.h"
-#include <omp.h>
 #include <sys/resource.h>
 
 int main(int argc, char **argv)
@@ -14,16 +12,14 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 3000000, 2, MANY / 2);
     struct question question = uniform_question(STANDARD, n, 1);
     question.threads = omp_get_num_procs();
-    struct answers answers = answers_for(n, NEAREST);
+    struct answers *answers = new_answers(n, NEAREST);
     int64_t start = clock_ns();
-    find_algorithm("row-spans")->run(&question, &answers);
+    find_algorithm("row-spans")->run(&question, answers);
     double ns = (double)(clock_ns() - start) / n;
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage); // in units of 1024 bytes
     columns(&e, "name n threads ns bytes");
     row("points\t%u\t%d\t%.4g\t%.4g", n, question.threads, ns,
         1024.0 * usage.ru_maxrss / n);
-    answers_free(&answers);
-    points_free(&question.points);
     return 0;
 }

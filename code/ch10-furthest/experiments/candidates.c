@@ -7,19 +7,18 @@
 #include "ch10-furthest/border.h"
 #include "common/experiment.h"
 
-static void print_counts(const struct question *question, double c,
-                         struct answers *answers)
+static void print_counts(struct question question, double c)
 {
-    const uint32_t n = question->points.n;
-    struct sorted sorted = sorted_make(question, c, cells_sort_alone);
+    const uint32_t n = question.points.n;
+    struct sorted sorted = sorted_make(&question, c, cells_sort_alone);
+    struct answers *answers = new_answers(n, FURTHEST);
     double side = sqrt(grid_cells(&sorted.grid));
     double mean = (double)n / grid_cells(&sorted.grid);
     struct counts edge = {0}, corner = {0};
-    struct question counted = *question;
-    counted.counts = &edge;
-    search_edge_cells(&counted, &sorted, answers);
-    counted.counts = &corner;
-    search_one_corner(&counted, &sorted, answers);
+    question.counts = &edge;
+    search_edge_cells(&question, &sorted, answers);
+    question.counts = &corner;
+    search_one_corner(&question, &sorted, answers);
     row_cells("\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g\t%.5g", side,
               (double)edge.distances / n, 4 * (side - 1) * mean,
               (double)corner.cells / n, 4 + 15 / side,
@@ -30,20 +29,18 @@ static void print_counts(const struct question *question, double c,
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    uint32_t most = parameter(&e, "MOST", 100000, 100, MANY);
+    uint32_t most = parameter(&e, "MOST", 100000, 100, MANY / 10);
     columns(&e, "name n side edge edge_expected cells cells_expected "
                 "points points_expected root_side root_edge "
                 "root_edge_expected root_cells root_cells_expected "
                 "root_points root_points_expected");
-    for (uint64_t n = 1000; n <= most; n *= 10) {
+    for (uint32_t n = 1000; n <= most; n *= 10) {
         struct question question = uniform_question(STANDARD, n, 1);
-        struct answers answers = answers_allocate(n);
-        row_begin("trick%u\t%u", (unsigned)n, (unsigned)n);
-        print_counts(&question, 2, &answers);
-        print_counts(&question, sqrt(n), &answers);
+        row_begin("trick%u\t%u", n, n);
+        print_counts(question, 2);
+        print_counts(question, sqrt(n));
         row_end();
-        answers_free(&answers);
-        points_free(&question.points);
+        forget();
     }
     return 0;
 }

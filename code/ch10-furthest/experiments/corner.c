@@ -6,7 +6,6 @@
 #include "ch02-all-pairs/naive.h"
 #include "ch10-furthest/border.h"
 #include "common/experiment.h"
-#include "common/fail.h"
 
 enum { POINTS = 200, MOST_SEEDS = 10000 };
 
@@ -19,11 +18,11 @@ static void print_place(const char *panel, const char *kind,
 }
 
 static void print_search(const char *panel, const struct sorted *sorted,
-                         const struct points p, uint32_t asks,
+                         const struct points p, uint32_t query,
                          uint32_t found, uint32_t right)
 {
     const struct grid *grid = &sorted->grid;
-    struct circle circle = circle_around(grid, p.x[asks], p.y[asks]);
+    struct circle circle = circle_around(grid, p.x[query], p.y[query]);
     row("%s_grid\t%u\t%u", panel, grid->x.count, grid->y.count);
     for (uint32_t line = 0; line < grid->y.count; line++)
         for (uint32_t column = 0; column < grid->x.count; column++)
@@ -31,7 +30,7 @@ static void print_search(const char *panel, const struct sorted *sorted,
                 row("%s_cell\t%u\t%u", panel, column, line);
     for (uint32_t i = 0; i < p.n; i++)
         print_place(panel, "point", grid, p.x[i], p.y[i]);
-    print_place(panel, "asks", grid, p.x[asks], p.y[asks]);
+    print_place(panel, "asks", grid, p.x[query], p.y[query]);
     print_place(panel, "found", grid, p.x[found], p.y[found]);
     print_place(panel, "right", grid, p.x[right], p.y[right]);
     double radius = sqrt(circle.radius2);
@@ -54,27 +53,26 @@ static uint32_t worth_drawing(const struct points p,
 
 static void draw(const char *panel, bool missed)
 {
-    struct answers found = answers_allocate(POINTS);
-    struct answers right = answers_allocate(POINTS);
-    uint32_t asks = POINTS;
-    for (uint64_t seed = 1; asks == POINTS; seed++) {
+    uint32_t query = POINTS;
+    for (uint64_t seed = 1; query == POINTS; seed++) {
         if (seed > MOST_SEEDS)
             fail("no search worth drawing");
         struct question question =
             uniform_question(STANDARD, POINTS, seed);
+        struct answers *found = new_answers(POINTS, BOTH);
+        struct answers *right = new_answers(POINTS, BOTH);
         struct sorted sorted =
             sorted_make(&question, 2, cells_sort_alone);
-        search_one_corner(&question, &sorted, &found);
-        naive(&question, &right);
-        asks = worth_drawing(question.points, &found, &right, missed);
-        if (asks < POINTS)
-            print_search(panel, &sorted, question.points, asks,
-                         found.furthest[asks], right.furthest[asks]);
+        search_one_corner(&question, &sorted, found);
+        naive(&question, right);
+        query = worth_drawing(question.points, found, right, missed);
+        if (query < POINTS)
+            print_search(panel, &sorted, question.points, query,
+                         found->furthest[query],
+                         right->furthest[query]);
         sorted_free(&sorted);
-        points_free(&question.points);
+        forget();
     }
-    answers_free(&right);
-    answers_free(&found);
 }
 
 int main(int argc, char **argv)

@@ -1,14 +1,11 @@
 // How many corners the hull of uniform points has, averaged over many
 // sets, beside the expectation of Renyi and Sulanke (1963); how many of
-// them are the furthest of anybody; and the corners of a circle's
+// them are the furthest of any point; and the corners of a circle's
 // points.
 //
 //     corners [MOST [SETS]]
 #include "ch10-furthest/furthest_hull.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include <stdlib.h>
-#include <string.h>
 
 static double corners_expected(double n)
 {
@@ -17,26 +14,23 @@ static double corners_expected(double n)
 }
 
 struct tally {
-    double corners, asked;
+    double corners, furthest; // those that are the furthest of a point
 };
 
 static void count_corners(const struct question *question,
                           struct tally *tally)
 {
     const uint32_t n = question->points.n;
-    struct answers answers = answers_allocate(n);
+    struct answers *answers = new_answers(n, FURTHEST);
     struct corners corners = corners_find(question);
-    search_corners(question, &corners, &answers);
-    uint8_t *asked = allocate(n, 1);
-    memset(asked, 0, n);
+    search_corners(question, &corners, answers);
+    uint8_t *furthest = take(n, 1);
     for (uint32_t i = 0; i < n; i++)
-        asked[answers.furthest[i]] = 1;
+        furthest[answers->furthest[i]] = 1;
     for (uint32_t i = 0; i < n; i++)
-        tally->asked += asked[i];
+        tally->furthest += furthest[i];
     tally->corners += corners.points.n;
-    free(asked);
     corners_free(&corners);
-    answers_free(&answers);
 }
 
 static void print_count(const char *kind, uint32_t n, int sets)
@@ -45,10 +39,11 @@ static void print_count(const char *kind, uint32_t n, int sets)
     for (int set = 0; set < sets; set++) {
         struct question question = kind_question(kind, n, set + 1);
         count_corners(&question, &tally);
-        points_free(&question.points);
+        forget();
     }
     row("%s_%u\t%u\t%d\t%.5g\t%.5g\t%.4g", kind, n, n, sets,
-        tally.corners / sets, corners_expected(n), tally.asked / sets);
+        tally.corners / sets, corners_expected(n),
+        tally.furthest / sets);
 }
 
 int main(int argc, char **argv)

@@ -1,6 +1,5 @@
 // See expected_far.h.
 #include "ch10-furthest/experiments/expected_far.h"
-#include "common/experiment.h"
 #include <math.h>
 
 enum { PLACES = 64, REACH = 12 };

@@ -3,10 +3,7 @@
 // furthest itself.
 //
 //     fans [POINTS]
-#include "algorithms.h"
-#include "common/allocate.h"
 #include "common/experiment.h"
-#include <stdlib.h>
 
 struct fan {
     uint32_t point, points; // furthest from so many
@@ -18,38 +15,24 @@ static int by_number(const void *a, const void *b)
     return (p->points < q->points) - (p->points > q->points);
 }
 
-struct rank {
-    uint32_t rank, points;
-};
-
-static struct rank *rank_points(const uint32_t *furthest, uint32_t n)
-{
-    struct fan *fans = allocate(n, sizeof *fans);
-    struct rank *ranks = allocate(n, sizeof *ranks);
-    for (uint32_t i = 0; i < n; i++)
-        fans[i] = (struct fan){i, 0};
-    for (uint32_t i = 0; i < n; i++)
-        fans[furthest[i]].points++;
-    qsort(fans, n, sizeof *fans, by_number);
-    for (uint32_t k = 0; k < n; k++)
-        ranks[fans[k].point] = (struct rank){k, fans[k].points};
-    free(fans);
-    return ranks;
-}
-
 static void print_kind(const char *kind, uint32_t n)
 {
     struct question question = kind_question(kind, n, 1);
-    struct answers answers = answers_for(n, FURTHEST);
-    find_algorithm("furthest-hull")->run(&question, &answers);
-    struct rank *ranks = rank_points(answers.furthest, n);
+    struct answers *answers = new_answers(n, FURTHEST);
+    find_algorithm("furthest-hull")->run(&question, answers);
+    struct fan *fans = take(n, sizeof *fans);
+    uint32_t *rank = take(n, sizeof *rank);
+    for (uint32_t i = 0; i < n; i++)
+        fans[i].point = i;
+    for (uint32_t i = 0; i < n; i++)
+        fans[answers->furthest[i]].points++;
+    qsort(fans, n, sizeof *fans, by_number);
+    for (uint32_t k = 0; k < n; k++)
+        rank[fans[k].point] = k;
     for (uint32_t i = 0; i < n; i++)
         row("%s\t%.5g\t%.5g\t%u\t%u", kind, question.points.x[i],
-            question.points.y[i], ranks[answers.furthest[i]].rank,
-            ranks[i].points);
-    free(ranks);
-    answers_free(&answers);
-    points_free(&question.points);
+            question.points.y[i], rank[answers->furthest[i]],
+            fans[rank[i]].points);
 }
 
 int main(int argc, char **argv)

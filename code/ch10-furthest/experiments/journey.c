@@ -4,35 +4,23 @@
 // get fewer points, and their time is scaled by the number of pairs.
 //
 //     journey [POINTS [FEWER [TRIALS]]]
-#include "algorithms.h"
 #include "ch02-all-pairs/first.h"
 #include "common/experiment.h"
-#include "common/workspace.h"
-#include <omp.h>
-#include <stdbool.h>
-#include <string.h>
 
-enum { GEOMETRIES = 2, THREADS = 2, TIMES = GEOMETRIES * THREADS };
+// The first compare all pairs of fewer points, and those before QUICK
+// run once. Each in both geometries, on one thread and on all.
+enum { SLOW = 4, QUICK = 6, STAGES = 17, TIMES = 4 };
 
-// How long a stage may take: SLOW ones compare all of fewer points,
-// LONG ones run once.
-enum pace { SLOW, LONG, FAST };
-
-static const struct stage {
-    const char *name;
-    enum pace pace;
-} stages[] = {
-    {"first", SLOW},          {"naive", SLOW},
-    {"triangle", SLOW},       {"triangle-reduction", SLOW},
-    {"tiles", LONG},          {"triangle-tiles", LONG},
-    {"cells-lists", FAST},    {"cells-indices", FAST},
-    {"cells-sorted", FAST},   {"cells", FAST},
-    {"cells-threads", FAST},  {"spiral", FAST},
-    {"vector-spiral", FAST},  {"row-spans", FAST},
-    {"furthest-cells", FAST}, {"furthest-hull", FAST},
-    {"near-and-far", FAST},
-};
-enum { STAGES = sizeof stages / sizeof *stages };
+static const char *const stages[STAGES] = {
+    "first",          "naive",
+    "triangle",       "triangle-reduction",
+    "tiles",          "triangle-tiles",
+    "cells-lists",    "cells-indices",
+    "cells-sorted",   "cells",
+    "cells-threads",  "spiral",
+    "vector-spiral",  "row-spans",
+    "furthest-cells", "furthest-hull",
+    "near-and-far"};
 
 // On one thread, whatever the question allows. It is not in the table
 // of algorithms.
@@ -50,78 +38,49 @@ static const struct algorithm coursework = {"first",
                                             "the distance is passed",
                                             first_search_all};
 
-static const struct algorithm *stage_algorithm(const char *name)
+static const struct algorithm *algorithm_of(int stage)
 {
-    return strcmp(name, coursework.name) == 0 ? &coursework
-                                              : find_algorithm(name);
+    return stage == 0 ? &coursework : find_algorithm(stages[stage]);
 }
 
-struct times {
-    struct search search[TIMES];
-    struct trial trial[TIMES];
-    bool there[TIMES];
-};
-
-static void prepare_stage(struct times *times,
-                          const struct algorithm *algorithm,
-                          struct question question,
-                          struct answers *answers)
+// Time k of a stage is in geometry k / 2, on all processors if k is
+// odd. Not all stages know both geometries, or threads.
+static bool is_there(int stage, int k)
 {
-    for (int k = 0; k < TIMES; k++) {
-        bool all = k % THREADS;
-        question.space.geometry = k / THREADS ? WRAPAROUND : STANDARD;
-        question.threads = all ? omp_get_num_procs() : 1;
-        times->search[k] =
-            (struct search){algorithm->run, question, answers};
-        times->trial[k] = (struct trial){.work = run_search,
-                                         .context = &times->search[k]};
-        times->there[k] =
-            algorithm->geometries & question.space.geometry &&
-            !(all && algorithm == &coursework);
-    }
+    return algorithm_of(stage)->geometries &
+               (k / 2 ? WRAPAROUND : STANDARD) &&
+           !(stage == 0 && k % 2);
 }
 
-// But what takes milliseconds is timed again and again, with memory and
-// caches as it leaves them.
-static void time_fast(int trials, struct times *times)
+// The trials of a stage, of those that are there; returns how many.
+static int list_trials(int stage, struct question question,
+                       struct answers *answers, struct trial *trials)
 {
-    for (int s = 0; s < STAGES; s++)
-        for (int k = 0; k < TIMES; k++)
-            if (stages[s].pace == FAST && times[s].there[k])
-                time_in_turn(trials, &times[s].trial[k], 1);
-}
-
-static void time_pace(enum pace pace, struct times *times)
-{
-    struct trial turn[STAGES * TIMES];
     int count = 0;
-    for (int s = 0; s < STAGES; s++)
-        for (int k = 0; k < TIMES; k++)
-            if (stages[s].pace == pace && times[s].there[k])
-                turn[count++] = times[s].trial[k];
-    time_in_turn(1, turn, count);
-    count = 0;
-    for (int s = 0; s < STAGES; s++)
-        for (int k = 0; k < TIMES; k++)
-            if (stages[s].pace == pace && times[s].there[k])
-                times[s].trial[k] = turn[count++];
+    for (int k = 0; k < TIMES; k++) {
+        question.space.geometry = k / 2 ? WRAPAROUND : STANDARD;
+        question.threads = k % 2 ? omp_get_num_procs() : 1;
+        if (is_there(stage, k))
+            trials[count++] = search_trial(algorithm_of(stage)->run,
+                                           &question, answers);
+    }
+    return count;
 }
 
 // Nanoseconds for each of n points, of which fewer were timed: then
 // each would have met n / fewer times as many others.
-static void print_stage(const struct algorithm *algorithm,
-                        const struct times *times, uint32_t n,
-                        uint32_t fewer)
+static void print_stage(int stage, const struct trial *trials,
+                        uint32_t n, uint32_t fewer)
 {
-    row_begin("%s\t%d\t%s\t%u\t%d", algorithm->name, algorithm->chapter,
+    const struct algorithm *algorithm = algorithm_of(stage);
+    row_begin("%s\t%d\t%s\t%u\t%d", stages[stage], algorithm->chapter,
               algorithm->answers == NEAREST    ? "nearest"
               : algorithm->answers == FURTHEST ? "furthest"
                                                : "both",
               fewer, omp_get_num_procs());
     for (int k = 0; k < TIMES; k++)
-        if (times->there[k])
-            row_times(&times->trial[k].summary,
-                      (double)fewer * fewer / n);
+        if (is_there(stage, k))
+            row_times(&trials++->summary, (double)fewer * fewer / n);
         else
             row_cells("\t-\t-\t-");
     row_end();
@@ -132,33 +91,28 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     uint32_t fewer = parameter(&e, "FEWER", 4000, 2, n);
-    int trials = parameter(&e, "TRIALS", 3, 1, MANY);
+    int count = parameter(&e, "TRIALS", 3, 1, MANY);
     struct workspace workspace = {0};
     struct question all = uniform_question(STANDARD, n, 1);
     struct question some = uniform_question(STANDARD, fewer, 1);
     all.workspace = some.workspace = &workspace;
-    struct answers answers[STAGES];
-    struct times times[STAGES];
-    for (int s = 0; s < STAGES; s++) {
-        const struct algorithm *algorithm =
-            stage_algorithm(stages[s].name);
-        answers[s] = answers_for(n, algorithm->answers);
-        prepare_stage(&times[s], algorithm,
-                      stages[s].pace == SLOW ? some : all, &answers[s]);
-    }
-    time_pace(SLOW, times);
-    time_pace(LONG, times);
-    time_fast(trials, times);
+    struct trial trials[STAGES * TIMES];
+    int first[STAGES + 1] = {0}; // trial of each stage
+    for (int s = 0; s < STAGES; s++)
+        first[s + 1] =
+            first[s] +
+            list_trials(s, s < SLOW ? some : all,
+                        new_answers(n, algorithm_of(s)->answers),
+                        trials + first[s]);
+    time_in_turn(1, trials, first[SLOW]);
+    time_in_turn(1, trials + first[SLOW], first[QUICK] - first[SLOW]);
+    // What takes milliseconds is timed again and again, with memory and
+    // caches as it leaves them.
+    for (int k = first[QUICK]; k < first[STAGES]; k++)
+        time_in_turn(count, &trials[k], 1);
     columns(&e, "name chapter answers n threads standard:3 "
                 "standard_all:3 wraparound:3 wraparound_all:3");
-    for (int s = 0; s < STAGES; s++) {
-        bool slow = stages[s].pace == SLOW;
-        print_stage(stage_algorithm(stages[s].name), &times[s], n,
-                    slow ? fewer : n);
-        answers_free(&answers[s]);
-    }
-    workspace_free(&workspace);
-    points_free(&some.points);
-    points_free(&all.points);
+    for (int s = 0; s < STAGES; s++)
+        print_stage(s, trials + first[s], n, s < SLOW ? fewer : n);
     return 0;
 }

@@ -3,9 +3,7 @@
 // that suit one of them and on points that suit none. One thread.
 //
 //     kinds [POINTS [TRIALS]]
-#include "algorithms.h"
 #include "common/experiment.h"
-#include "common/workspace.h"
 
 static const struct {
     const char *algorithm, *name;
@@ -26,30 +24,25 @@ static void print_kind(const char *kind, uint32_t n, int trials)
     struct question question = kind_question(kind, n, 1);
     struct workspace workspace = {0};
     question.workspace = &workspace;
-    struct answers answers[WAYS];
-    struct search search[WAYS];
+    struct answers *answers[WAYS];
     struct trial trial[WAYS];
     for (int k = 0; k < WAYS; k++) {
         const struct algorithm *algorithm =
             find_algorithm(ways[k].algorithm);
-        answers[k] = answers_for(n, algorithm->answers);
-        search[k] =
-            (struct search){algorithm->run, question, &answers[k]};
-        trial[k] =
-            (struct trial){.work = run_search, .context = &search[k]};
+        answers[k] = new_answers(n, algorithm->answers);
+        trial[k] = search_trial(algorithm->run, &question, answers[k]);
     }
     time_in_turn(trials, trial, WAYS);
     row_begin("%s\t%u", kind, n);
     for (int k = 0; k < WAYS; k++) {
         struct counts counts = count_operations(
-            find_algorithm(ways[k].algorithm), &question, &answers[k]);
+            find_algorithm(ways[k].algorithm), &question, answers[k]);
         row_cells("\t%.5g", (double)counts.distances / n);
         row_times(&trial[k].summary, n);
-        answers_free(&answers[k]);
     }
     row_end();
     workspace_free(&workspace);
-    points_free(&question.points);
+    forget();
 }
 
 int main(int argc, char **argv)

@@ -3,13 +3,7 @@
 // the furthest.
 //
 //     means means|histogram [POINTS [SETS]]
-#include "algorithms.h"
 #include "common/experiment.h"
-#include "common/fail.h"
-#include "common/workspace.h"
-#include <omp.h>
-#include <stdbool.h>
-#include <string.h>
 
 enum { BINS = 60, MOST_SETS = 100 };
 
@@ -41,14 +35,14 @@ static void add_set(enum geometry geometry, uint32_t n, int set,
     struct workspace workspace = {0};
     question.workspace = &workspace;
     question.threads = omp_get_num_procs();
-    struct answers answers = answers_allocate(n);
-    answer_both(&question, &answers);
+    struct answers *answers = new_answers(n, BOTH);
+    answer_both(&question, answers);
     int64_t start = clock_ns();
-    answer_both(&question, &answers);
+    answer_both(&question, answers);
     sums->ns[set] = clock_ns() - start;
     for (uint32_t i = 0; i < n; i++) {
-        double far = sqrt(answers.furthest2[i]);
-        sums->nearest += sqrt(answers.nearest2[i]);
+        double far = sqrt(answers->furthest2[i]);
+        sums->nearest += sqrt(answers->nearest2[i]);
         sums->furthest += far;
         double place = (far - sums->low) / (sums->high - sums->low);
         if (place >= 0 && place < 1)
@@ -56,8 +50,7 @@ static void add_set(enum geometry geometry, uint32_t n, int set,
     }
     sums->points += n;
     workspace_free(&workspace);
-    answers_free(&answers);
-    points_free(&question.points);
+    forget();
 }
 
 static void print_means(struct sums sums[2], uint32_t n, int sets)

@@ -36,7 +36,5 @@ int main(int argc, char **argv)
                       cells_outside(grid, middle(&grid->x, column),
                                     middle(&grid->y, row)),
                       column + 1 < grid->x.count ? ' ' : '\n');
-    sorted_free(&sorted);
-    points_free(&question.points);
     return 0;
 }

@@ -4,23 +4,20 @@
 // and, for those who know it, with wraparound.
 //
 //     sizes [MOST]
-#include "algorithms.h"
 #include "common/experiment.h"
-#include "common/workspace.h"
 
 static const struct {
-    const char *algorithm, *name;
+    const char *algorithm;
     enum geometry geometry;
     unsigned answers;
-} curves[] = {
-    {"row-spans", "spans", STANDARD, NEAREST},
-    {"furthest-cells", "cells", STANDARD, FURTHEST},
-    {"furthest-hull", "hull", STANDARD, FURTHEST},
-    {"near-and-far", "far", STANDARD, FURTHEST},
-    {"near-and-far", "both", STANDARD, NEAREST | FURTHEST},
-    {"row-spans", "spans_wrapped", WRAPAROUND, NEAREST},
-    {"furthest-cells", "cells_wrapped", WRAPAROUND, FURTHEST},
-    {"near-and-far", "both_wrapped", WRAPAROUND, NEAREST | FURTHEST}};
+} curves[] = {{"row-spans", STANDARD, NEAREST},
+              {"furthest-cells", STANDARD, FURTHEST},
+              {"furthest-hull", STANDARD, FURTHEST},
+              {"near-and-far", STANDARD, FURTHEST},
+              {"near-and-far", STANDARD, NEAREST | FURTHEST},
+              {"row-spans", WRAPAROUND, NEAREST},
+              {"furthest-cells", WRAPAROUND, FURTHEST},
+              {"near-and-far", WRAPAROUND, NEAREST | FURTHEST}};
 enum { CURVES = sizeof curves / sizeof *curves, SEVERAL = 1000000 };
 
 static void print_points(uint32_t n)
@@ -28,29 +25,18 @@ static void print_points(uint32_t n)
     struct question question = uniform_question(STANDARD, n, 1);
     struct workspace workspace = {0};
     question.workspace = &workspace;
-    struct answers answers[CURVES];
-    struct search search[CURVES];
     struct trial trial[CURVES];
     for (int k = 0; k < CURVES; k++) {
-        const struct algorithm *algorithm =
-            find_algorithm(curves[k].algorithm);
-        answers[k] = answers_for(n, curves[k].answers);
         question.space.geometry = curves[k].geometry;
-        search[k] =
-            (struct search){algorithm->run, question, &answers[k]};
-        trial[k] = (struct trial){.work = run_search,
-                                  .prepare = run_search,
-                                  .context = &search[k]};
+        trial[k] =
+            search_trial(find_algorithm(curves[k].algorithm)->run,
+                         &question, new_answers(n, curves[k].answers));
+        trial[k].prepare = trial[k].work;
     }
     time_in_turn(n > SEVERAL ? 1 : 5, trial, CURVES);
-    row_begin("n%u\t%u", n, n);
-    for (int k = 0; k < CURVES; k++) {
-        row_times(&trial[k].summary, n);
-        answers_free(&answers[k]);
-    }
-    row_end();
+    row_of_times(trial, CURVES, n, "n%u\t%u", n, n);
     workspace_free(&workspace);
-    points_free(&question.points);
+    forget();
 }
 
 int main(int argc, char **argv)
@@ -59,9 +45,7 @@ int main(int argc, char **argv)
     uint32_t most = parameter(&e, "MOST", 300000, 1000, MANY);
     columns(&e, "name n spans:3 cells:3 hull:3 far:3 both:3"
                 " spans_wrapped:3 cells_wrapped:3 both_wrapped:3");
-    for (uint64_t n = 1000; n <= most; n *= 10)
-        for (int third = 0; third < 2; third++)
-            if ((third ? 3 * n : n) <= most)
-                print_points(third ? 3 * n : n);
+    for (uint32_t n = 1000; n <= most; n = next_size(n))
+        print_points(n);
     return 0;
 }

@@ -3,7 +3,6 @@
 // wraparound far from any seam, and counted.
 //
 //     visits [MOST [SETS]]
-#include "algorithms.h"
 #include "ch10-furthest/experiments/expected_far.h"
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/outside.h"
@@ -28,7 +27,6 @@ static struct counts count_visits(enum geometry geometry, bool batched,
     struct counts sum = {0};
     struct workspace workspace = {0};
     const struct mark empty = workspace_mark(&workspace);
-    struct answers answers = answers_for(n, FURTHEST);
     for (int set = 0; set < sets; set++) {
         struct question question =
             uniform_question(geometry, n, set + 1);
@@ -37,14 +35,13 @@ static struct counts count_visits(enum geometry geometry, bool batched,
         question.counts = &sum;
         if (batched)
             search_furthest_cells(&question, &partition, &workspace,
-                                  &answers);
+                                  new_answers(n, FURTHEST));
         else
             search_alone(&question, &partition, &workspace);
         workspace_release(&workspace, empty);
-        points_free(&question.points);
+        forget();
     }
     workspace_free(&workspace);
-    answers_free(&answers);
     return sum;
 }
 
@@ -68,13 +65,13 @@ static void print_visits(enum geometry geometry, uint32_t n, int sets)
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    uint32_t most = parameter(&e, "MOST", 10000, 1000, MANY);
+    uint32_t most = parameter(&e, "MOST", 10000, 1000, MANY / 10);
     int sets = parameter(&e, "SETS", 10, 1, MANY);
     columns(&e, "name n sets c cells_expected cells distances_expected "
                 "distances cells_together distances_together");
-    for (uint64_t n = 1000; n <= most; n *= 10)
+    for (uint32_t n = 1000; n <= most; n *= 10)
         print_visits(STANDARD, n, sets);
-    for (uint64_t n = 1000; n <= most; n *= 10)
+    for (uint32_t n = 1000; n <= most; n *= 10)
         print_visits(WRAPAROUND, n, sets);
     return 0;
 }

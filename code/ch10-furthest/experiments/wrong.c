@@ -4,11 +4,9 @@
 // coursework's, of sqrt(n).
 //
 //     wrong [POINTS [SETS]]
-#include "algorithms.h"
 #include "ch04-cell-sort/sorted.h"
 #include "ch10-furthest/border.h"
 #include "common/experiment.h"
-#include <stdio.h>
 
 static const char *const kinds[] = {"uniform",   "clustered",
                                     "collinear", "circle",
@@ -24,44 +22,30 @@ static double wrong_share(const struct answers *found,
     return wrong / n;
 }
 
-struct wrong {
-    double edge, corner;
-};
-
-static struct wrong wrong_answers(const struct question *question,
-                                  double c)
-{
-    const uint32_t n = question->points.n;
-    struct answers right = answers_for(n, FURTHEST);
-    struct answers found = answers_for(n, FURTHEST);
-    struct sorted sorted = sorted_make(question, c, cells_sort_alone);
-    struct wrong wrong;
-    find_algorithm("furthest-hull")->run(question, &right);
-    search_edge_cells(question, &sorted, &found);
-    wrong.edge = wrong_share(&found, &right, n);
-    search_one_corner(question, &sorted, &found);
-    wrong.corner = wrong_share(&found, &right, n);
-    sorted_free(&sorted);
-    answers_free(&found);
-    answers_free(&right);
-    return wrong;
-}
-
+// Over sets of points: the mean share of wrong answers of both searches
+// and the share of sets in which the corner trick has any.
 static void print_wrong(const char *name, const char *kind, uint32_t n,
                         double c, int sets)
 {
-    struct wrong sum = {0, 0};
-    int broken = 0;
+    double edge = 0, corner = 0, broken = 0;
     for (int set = 0; set < sets; set++) {
         struct question question = kind_question(kind, n, set + 1);
-        struct wrong wrong = wrong_answers(&question, c);
-        sum.edge += wrong.edge;
-        sum.corner += wrong.corner;
-        broken += wrong.corner > 0;
-        points_free(&question.points);
+        struct answers *right = new_answers(n, FURTHEST);
+        struct answers *found = new_answers(n, FURTHEST);
+        struct sorted sorted =
+            sorted_make(&question, c, cells_sort_alone);
+        find_algorithm("furthest-hull")->run(&question, right);
+        search_edge_cells(&question, &sorted, found);
+        edge += wrong_share(found, right, n);
+        search_one_corner(&question, &sorted, found);
+        double share = wrong_share(found, right, n);
+        corner += share;
+        broken += share > 0;
+        sorted_free(&sorted);
+        forget();
     }
     row("%s\t%u\t%d\t%.4g\t%.4g\t%.4g\t%.4g", name, n, sets, c,
-        sum.edge / sets, sum.corner / sets, (double)broken / sets);
+        edge / sets, corner / sets, broken / sets);
 }
 
 int main(int argc, char **argv)
@@ -71,14 +55,13 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 5000, 100, MANY);
     int sets = parameter(&e, "SETS", 100, 1, MANY);
     columns(&e, "name n sets c edge corner broken");
+    char name[40];
     for (int k = 0; k < KINDS; k++) {
-        char name[40];
-        snprintf(name, sizeof name, "wrong_%s", kinds[k]);
+        sprintf(name, "wrong_%s", kinds[k]);
         print_wrong(name, kinds[k], n, sqrt(n), 1);
     }
     for (int c = 1; c <= 16; c *= 2) {
-        char name[40];
-        snprintf(name, sizeof name, "sets_c%d", c);
+        sprintf(name, "sets_c%d", c);
         print_wrong(name, "uniform", SMALL, c, sets);
     }
     return 0;
