@@ -227,6 +227,7 @@ void advance_tasks(const struct question *question,
         uint32_t first = k * length;
         advance_strip(&a, first, MIN(n - first, length), answers);
     }
+    //> Hand over the tallies
     struct tally sum = {0};
     for (uint32_t k = 0; k < threads; k++) {
         tally_add(&sum, &strips[k].tally);
@@ -239,6 +240,7 @@ void advance_tasks(const struct question *question,
                                 .distances = sum.compared});
     if (plan->tally)
         *plan->tally = sum;
+    //<
 }
 //<
 //<

@@ -74,16 +74,20 @@ INLINED void enter_in(const enum geometry geometry,
     uint64_t visited = 0;
     for (uint32_t i = 0; i < n; i += 8) {
         __mmask8 all = left(n - i);
+        //> Mark the lanes within the bounds
         __mmask8 within = _mm256_mask_cmpge_epi32_mask(
             all, eight(all, bound_x + i), steps_x);
         within = _mm256_mask_cmpge_epi32_mask(
             within, eight(all, bound_y + i), steps_y);
+        //<
+        //> Number the cells of the marked lanes
         __m256i row =
             cells_after(geometry, y, eight(within, tasks->row + i), dy);
         __m256i cell = _mm256_add_epi32(
             _mm256_mullo_epi32(row, columns),
             cells_after(geometry, x, eight(within, tasks->column + i),
                         dx));
+        //<
         //> Gather where each cell begins and ends
         __m512i two = _mm512_mask_i64gather_epi64(
             _mm512_setzero_si512(), within, _mm512_cvtepu32_epi64(cell),

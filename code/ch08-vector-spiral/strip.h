@@ -50,8 +50,9 @@ struct strip {
 };
 //<
 
-// The bytes that a task takes.
+//> Count the bytes of a task
 enum { TASK_BYTES = 8 * sizeof(double) + 22 * sizeof(uint32_t) + 1 };
+//<
 
 // Room for so many tasks, to be released with strip_free. Each array
 // has SPILL more elements than that.

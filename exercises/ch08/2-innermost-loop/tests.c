@@ -1,4 +1,4 @@
-// Tests of the innermost loop: who met whom, how many lanes and steps
+// Tests of the innermost loop: which task met which point, how many lanes and steps
 // it took, and what was packed.
 #include "common/random.h"
 #include "exercise.h"

@@ -96,7 +96,7 @@ static const char *missing_cause(uint32_t task)
     if (notes->steps == 0)
         return "No step was done at all.";
     if (notes->idle)
-        return "In the same lanes others worked who had finished: "
+        return "In the same lanes were tasks that had finished: "
                "which end of the order do the longest have?";
     if (length[task] == longest)
         return "It is one of the longest. There are as many steps as "
@@ -129,7 +129,7 @@ static void run(void)
         WRONG(.expected = kit_text("tasks 0 to %u", tasks - 1),
               .found = kit_text("task %u in step %u", notes->task,
                                 notes->steps + 1),
-              .cause = "Nobody was placed there. The scan must give "
+              .cause = "No task was placed there. The scan must give "
                        "every task a place of its own, from 0 on.");
     for (uint32_t i = 0; i < tasks; i++)
         if (done[i] < length[i])
@@ -147,8 +147,8 @@ static const char *idle_cause(void)
     if (length[notes->idle_task] == notes->idle_step)
         return "In step b, counted from 0, only tasks longer than b "
                "are at work. Those without any steps never are.";
-    return "Who has finished must not be in front of somebody who has "
-           "not: the longest first.";
+    return "A task that has finished must not be in front of one that "
+           "has not: the longest first.";
 }
 
 static void check_idle(void)
@@ -241,7 +241,7 @@ static void nothing(uint64_t seed)
 
 const struct kit_test kit_tests[] = {
     {"done", 3, "every task has its steps", all_done},
-    {"idle", 2, "nobody works who has finished", nobody_idle},
+    {"idle", 2, "no task works that has finished", nobody_idle},
     {"steps", 2, "all take their steps together", steps},
     {"order", 2, "equally long ones stay in order", order},
     {"nothing", 1, "where there is little or nothing to do", nothing},

@@ -7,7 +7,7 @@ enum { STRIP = 256 }; // never more tasks than that
 
 // Given: cell[l] becomes the cell to which task[l] goes after the first
 // visited[l] cells of its way, NOWHERE if it has finished. It depends
-// on what the task has met in those. Costs 1 for each lane.
+// on what the task has measured in those. Costs 1 for each lane.
 void next_cell(uint32_t lanes, const uint32_t *task,
                const uint32_t *visited, uint32_t *cell);
 
@@ -16,7 +16,7 @@ void next_cell(uint32_t lanes, const uint32_t *task,
 void measure(uint32_t lanes, const uint32_t *task,
              const uint32_t *place);
 
-// Lets the tasks 0 to n-1 meet all points of all cells on their ways,
-// once each. Cell k has the places from start[k] up to, not including,
+// Lets the tasks 0 to n-1 measure all points of all cells on their
+// ways, once each. Cell k has the places from start[k] up to, not including,
 // start[k + 1].
 void seek(uint32_t n, const uint32_t *start);

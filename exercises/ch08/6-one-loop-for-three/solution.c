@@ -1,6 +1,6 @@
 // All lanes measure in every step, wherever on its way each of them is.
-// Before a step, the lanes whose cells are exhausted ask for the next
-// one, together, and again, until their cells have points.
+// Before a step, the lanes whose cells are exhausted are sent to the
+// next one, together, and again, until their cells have points.
 #include "exercise.h"
 
 //- solution
@@ -11,7 +11,7 @@ struct lanes {
     uint32_t task[STRIP], visited[STRIP], place[STRIP], end[STRIP];
 };
 
-// Those who have to ask, and their lanes.
+// The tasks that need a cell, and their lanes.
 struct asking {
     uint32_t n;
     uint32_t lane[STRIP], task[STRIP], visited[STRIP], cell[STRIP];
@@ -26,7 +26,7 @@ static void ask(struct asking *asking, const struct lanes *lanes,
     asking->n++;
 }
 
-// Takes the answers to heart; who has met an empty cell asks again.
+// Sends the lanes to their cells; one in an empty cell is sent on.
 static void go_on(struct asking *asking, struct lanes *lanes,
                   const uint32_t *start)
 {
@@ -56,7 +56,7 @@ static void refill(struct lanes *lanes, const uint32_t *start)
     }
 }
 
-// Who still has no place to go to has finished.
+// A lane that still has no place has finished.
 static void pack(struct lanes *lanes)
 {
     uint32_t kept = 0;
@@ -90,8 +90,8 @@ void seek(uint32_t n, const uint32_t *start)
             lanes.place[l]++;
     }
     //- starter
-    // // Your turn: so far everybody goes to one cell, and meets the
-    // // first who is there.
+    // // Your turn: so far each task goes to one cell, and measures
+    // // its first point.
     // uint32_t task[STRIP] = {0}, visited[STRIP] = {0};
     // uint32_t cell[STRIP] = {0}, lanes = 0;
     // for (uint32_t l = 0; l < n; l++)

@@ -1,5 +1,5 @@
-// Tests of the single loop: who met whom, who asked for the next cell
-// and when, and how many steps it took.
+// Tests of the single loop: which points each task met, when it asked
+// for the next cell, and how many steps it took.
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
@@ -264,9 +264,11 @@ static void check_fault(void)
               .expected =
                   kit_text("meets place %u first", notes->place),
               .found = "asks for the next cell",
-              .cause = "Only who has met all of a cell may ask. If its "
-                       "lane has: do a lane's task, place and end stay "
-                       "together?");
+              .cause =
+                  "Only a task that has met all of a cell may ask. "
+                  "If its lane has: do a lane's task, place and end "
+                  "stay "
+                  "together?");
     case TOO_FAR:
         WRONG(.where = tell_shown(notes->task),
               .expected = kit_text("at most %u cells visited",
@@ -289,8 +291,8 @@ static const char *missing_cause(uint32_t task)
         return "It has been told of the cell and did not finish it. Do "
                "a lane's task, place and end stay together?";
     if (known > 0 && count_of(ways[task].cell[known - 1]) == 0)
-        return "An empty cell is not the end of the way. Who meets one "
-               "asks again.";
+        return "An empty cell is not the end of the way. A task that "
+               "meets one asks again.";
     return kit_text(
         "It never asked what comes after cell %u of its way. "
         "Go on until the answer is NOWHERE.",
@@ -308,7 +310,7 @@ static uint32_t way_position(uint32_t task, uint32_t place)
 
 static void run(void)
 {
-    met = kit_output("who met whom", (size_t)tasks * points, 1);
+    met = kit_output("the points met", (size_t)tasks * points, 1);
     memset(met, 0, (size_t)tasks * points);
     shown = kit_output("the cells shown", tasks, sizeof *shown);
     memset(shown, 0, tasks * sizeof *shown);
@@ -363,8 +365,8 @@ static void check_asking(void)
                                    "cell and each NOWHERE",
                                    (uintmax_t)needed_asks()),
               .found = kit_text("%ju", (uintmax_t)notes->asked),
-              .cause = "Who has a point left in his cell need not ask, "
-                       "nor who was told NOWHERE.");
+              .cause = "A task with a point left in its cell need not "
+                       "ask, nor one that was told NOWHERE.");
     if (notes->calls > most_calls)
         WRONG(.expected =
                   kit_text("at most %ju calls of next_cell: before "
@@ -372,7 +374,7 @@ static void check_asking(void)
                            "of the longest desert",
                            (uintmax_t)most_calls),
               .found = kit_text("%u", notes->calls),
-              .cause = "All who have to ask before a step ask "
+              .cause = "All tasks that have to ask before a step ask "
                        "together.");
 }
 
@@ -385,13 +387,14 @@ static void check_steps(void)
                                    "longest way",
                                    most),
               .found = kit_text("%u", notes->steps),
-              .cause = notes->steps == nested_steps(false) ||
-                               notes->steps == nested_steps(true)
-                           ? "These are the steps of nested loops: who "
-                             "has finished his cell waits until "
-                             "everybody has. Let him go on."
-                           : "In every step all who have work left "
-                             "should measure.");
+              .cause =
+                  notes->steps == nested_steps(false) ||
+                          notes->steps == nested_steps(true)
+                      ? "These are the steps of nested loops: a "
+                        "task that has finished its cell waits "
+                        "for all others. Let it go on."
+                      : "In every step all tasks that have work left "
+                        "should measure.");
 }
 
 // ---- tests ---------------------------------------------------------
