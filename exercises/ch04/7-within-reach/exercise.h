@@ -8,8 +8,8 @@
 double measure(uint32_t i, uint32_t j);
 
 // Takes a pair of points that are closer than r. Given.
-void take(uint32_t i, uint32_t j);
+void take_pair(uint32_t i, uint32_t j);
 
-// Hands every pair closer than r > 0 to take(), once. The points lie
+// Hands every pair closer than r > 0 to take_pair(), once. The points lie
 // from 0 to space.width and from 0 to space.height.
 void pairs_within(struct points points, struct space space, double r);

@@ -50,7 +50,7 @@ static struct lists make_lists(struct points points, struct space space,
 static void try(uint32_t i, uint32_t j, double r)
 {
     if (measure(i, j) < r * r)
-        take(i, j);
+        take_pair(i, j);
 }
 
 // Each point of a cell with those behind it in the cell's own list, and
@@ -93,6 +93,6 @@ void pairs_within(struct points points, struct space space, double r)
     // for (uint32_t i = 0; i < points.n; i++)
     //     for (uint32_t j = i + 1; j < points.n; j++)
     //         if (measure(i, j) < r)
-    //             take(i, j);
+    //             take_pair(i, j);
     //- end
 }

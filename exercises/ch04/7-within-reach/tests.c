@@ -39,7 +39,7 @@ double measure(uint32_t i, uint32_t j)
     return is_pair(i, j) ? between(i, j) : INFINITY;
 }
 
-void take(uint32_t i, uint32_t j)
+void take_pair(uint32_t i, uint32_t j)
 {
     notes->taken++;
     if (is_pair(i, j))
