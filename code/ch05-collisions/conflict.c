@@ -32,7 +32,7 @@ static uint32_t lanes_left(uint32_t left)
     return left < LANES ? left : LANES;
 }
 
-//> Count and place without the instruction
+//> Count eight points at a time
 static void count_portably(const uint32_t *cell_id, uint32_t n,
                            uint32_t *count)
 {
@@ -40,7 +40,9 @@ static void count_portably(const uint32_t *cell_id, uint32_t n,
     for (size_t i = 0; i < n; i += LANES)
         take(cell_id + i, lanes_left(n - i), count, place);
 }
+//<
 
+//> Place eight points at a time
 static void place_portably(const uint32_t *cell_id, uint32_t n,
                            uint32_t *next, uint32_t *point)
 {
@@ -96,7 +98,7 @@ static __m256i take_avx512(const uint32_t *cell_id, __mmask8 here,
 }
 //<
 
-//> Count and place with the instruction
+//> Count with the instruction
 static __mmask8 mask_left(uint32_t left)
 {
     return left < LANES ? (1u << left) - 1 : 0xff;
@@ -109,7 +111,9 @@ static void count_avx512(const uint32_t *cell_id, uint32_t n,
     for (size_t i = 0; i < n; i += LANES)
         take_avx512(cell_id + i, mask_left(n - i), count);
 }
+//<
 
+//> Place with the instruction
 USE_AVX512
 static void place_avx512(const uint32_t *cell_id, uint32_t n,
                          uint32_t *next, uint32_t *point)

@@ -112,7 +112,9 @@ uint64_t groups_count(const struct groups *groups,
     }
     return losers;
 }
+//<
 
+//> Place group after group
 uint64_t groups_place(const struct groups *groups,
                       const uint32_t *cell_id, uint32_t n,
                       uint32_t *next, uint32_t *point)

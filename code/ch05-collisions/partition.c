@@ -163,9 +163,7 @@ static void sort_records(const struct buckets *buckets,
 }
 //<
 
-//> Take the arrays of a partition
-// First what stays, then, above the mark, what is needed until the
-// points are sorted.
+//> Take the arrays that stay
 static struct partition take_result(uint32_t n, uint32_t m,
                                     enum restore restore,
                                     struct workspace *workspace)
@@ -184,7 +182,10 @@ static struct partition take_result(uint32_t n, uint32_t m,
     }
     return result;
 }
+//<
 
+//> Take the arrays of the buckets
+// Above a mark: they are given up when the points are sorted.
 static void take_buckets(struct buckets *buckets,
                          struct workspace *workspace)
 {
@@ -195,7 +196,9 @@ static void take_buckets(struct buckets *buckets,
     buckets->record = workspace_take(workspace, buckets->points.n,
                                      sizeof *buckets->record);
 }
+//<
 
+//> Add up the arrays of a partition
 // Both together, and a line for the rest of each array.
 static size_t bytes_for(const struct buckets *buckets, uint32_t m,
                         enum restore restore)
@@ -210,6 +213,7 @@ static size_t bytes_for(const struct buckets *buckets, uint32_t m,
 }
 //<
 
+//> Partition points in a workspace
 struct partition partition_points(const struct grid *grid,
                                   struct points points, int threads,
                                   enum restore restore,
@@ -232,6 +236,7 @@ struct partition partition_points(const struct grid *grid,
     workspace_release(workspace, mark);
     return result;
 }
+//<
 
 struct partition partition_make(const struct question *question,
                                 double c, enum restore restore,

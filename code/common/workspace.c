@@ -54,7 +54,9 @@ void workspace_reserve(struct workspace *workspace, size_t bytes,
     block->memory = allocate(block->size, 1);
     touch(block->memory, block->size, threads);
 }
+//<
 
+//> Take an array from the top
 void *workspace_take(struct workspace *workspace, size_t count,
                      size_t size)
 {
@@ -67,11 +69,13 @@ void *workspace_take(struct workspace *workspace, size_t count,
 }
 //<
 
+//> Note the height of the stack
 struct mark workspace_mark(const struct workspace *workspace)
 {
     return (struct mark){workspace->last,
                          workspace->block[workspace->last].used};
 }
+//<
 
 //> Give up what was taken since
 void workspace_release(struct workspace *workspace, struct mark mark)
