@@ -27,7 +27,7 @@ INLINED __m256d four_margins(const enum geometry geometry,
 }
 //<
 
-//> Verify four candidates
+//> Hold four queries
 // Four queries, and how far away their best candidates are.
 struct four {
     __m256d x, y, dx, dy;
@@ -39,7 +39,9 @@ typedef uint32_t verify_function(const enum geometry geometry,
                                  const struct scene *scene,
                                  const struct block *block,
                                  const struct four *four, double d2[4]);
+//<
 
+//> Verify four candidates
 USE_AVX2
 INLINED uint32_t verify_four(verify_function *verify,
                              const enum geometry geometry,
@@ -110,7 +112,7 @@ INLINED uint32_t certify(verify_function *verify,
 }
 //<
 
-//> Verify four nearest
+//> Measure four pairs
 USE_AVX2
 INLINED __m256d four_near2(const enum geometry geometry,
                            struct space space, __m256d dx, __m256d dy)
@@ -126,7 +128,9 @@ INLINED __m256d four_near2(const enum geometry geometry,
     return _mm256_add_pd(_mm256_min_pd(ax2, _mm256_mul_pd(bx, bx)),
                          _mm256_min_pd(ay2, _mm256_mul_pd(by, by)));
 }
+//<
 
+//> Verify four nearest
 USE_AVX2
 INLINED uint32_t verify_near(const enum geometry geometry,
                              const struct scene *scene,

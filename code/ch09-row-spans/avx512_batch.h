@@ -14,7 +14,9 @@ struct wide_lanes {
 
 typedef __m512 measure_wide(const struct wide_lanes *lanes, __m512 dx,
                             __m512 dy);
+//<
 
+//> Load each query into two lanes
 USE_AVX512
 INLINED struct wide_lanes wide_lanes_for(struct space space,
                                          const struct staging *staging,
@@ -65,7 +67,7 @@ INLINED struct best_two join_lanes(const struct wide_lanes *lanes)
 }
 //<
 
-//> Measure two candidates for eight queries
+//> Show two values to eight queries
 USE_AVX512
 INLINED __m512i two_from(const void *from)
 {
@@ -73,7 +75,9 @@ INLINED __m512i two_from(const void *from)
     memcpy(&bits, from, sizeof bits);
     return _mm512_set1_epi64(bits);
 }
+//<
 
+//> Measure two candidates for eight queries
 USE_AVX512
 INLINED __m512 measure_two(measure_wide *measure,
                            const struct wide_lanes *lanes,

@@ -54,10 +54,12 @@ static uint32_t nearest(const struct scene *scene,
 //<
 
 //> Compare with eight points at a time
+//> Hold the best of eight lanes
 struct eight_best {
     __m512d best2;
     __m512i nearest, self;
 };
+//<
 
 USE_AVX512
 INLINED __m512d eight_near2(const enum geometry geometry,
@@ -74,6 +76,7 @@ INLINED __m512d eight_near2(const enum geometry geometry,
                          _mm512_min_pd(ay2, _mm512_mul_pd(by, by)));
 }
 
+//> Keep the best of eight lanes
 USE_AVX512
 INLINED void keep_eight(struct eight_best *eight, __m512d d2,
                         __m512i candidate, __mmask8 there)
@@ -88,7 +91,9 @@ INLINED void keep_eight(struct eight_best *eight, __m512d d2,
     eight->nearest =
         _mm512_mask_mov_epi64(eight->nearest, better, candidate);
 }
+//<
 
+//> Compare the eight lanes
 USE_AVX512
 INLINED void keep_best_of_eight(const struct eight_best *eight,
                                 struct point_query *query)
@@ -100,7 +105,9 @@ INLINED void keep_best_of_eight(const struct eight_best *eight,
     for (int lane = 0; lane < 8; lane++)
         query_keep(query, best2[lane], (uint32_t)nearest[lane]);
 }
+//<
 
+//> Compare a query with a row span, eight at a time
 USE_AVX512
 INLINED void compare_span(const enum geometry geometry,
                           const struct scene *scene, uint32_t begin,
@@ -125,6 +132,7 @@ INLINED void compare_span(const enum geometry geometry,
     }
     keep_best_of_eight(&eight, query);
 }
+//<
 
 USE_AVX512
 static void compare(const struct scene *scene, uint32_t begin,

@@ -9,6 +9,7 @@
 #include "ch04-cell-sort/block.h"
 #include "ch04-cell-sort/sorted.h"
 
+//> Set the sizes of a batch
 enum {
     BATCH = 8,   // queries
     ROWS = 3,    // below, the queries' own, above
@@ -24,6 +25,7 @@ _Static_assert(STEP <= PAD, "a sweep's last step ends in the pad");
 // A squared distance beyond any that are compared, whose low bits are
 // 0, and a coordinate beyond that. What is at FAR is never a candidate.
 static const float FAR2 = 0x1p100f, FAR = 0x1p60f;
+//<
 
 //> Hold the scene
 // What a search looks at; it stays the same for all queries.
@@ -109,6 +111,7 @@ static inline float near_slack(const struct staging *staging)
 static const double MIN_REACH = 0x1p-40, MAX_REACH = 0x1p+44;
 //<
 
+//> Read the place in the low bits
 static inline uint32_t place_of(float best)
 {
     union {
@@ -117,4 +120,5 @@ static inline uint32_t place_of(float best)
     } number = {best};
     return number.bits & NUMBER;
 }
+//<
 //<

@@ -7,13 +7,15 @@
 #include <assert.h>
 #include <stddef.h>
 
-//> Fetch the places of the results
-// They are seldom in a cache. Asked for before the kernel runs, they
-// are there when it is done. Whole batches, as kernels read them.
+//> Hold the places of the results
 struct targets {
     struct neighbor *of[BATCH];
 };
+//<
 
+//> Fetch the places of the results
+// They are seldom in a cache. Asked for before the kernel runs, they
+// are there when it is done. Whole batches, as kernels read them.
 static struct targets fetch_results(const struct batch_search *search,
                                     const struct query_batch *batch)
 {
@@ -54,7 +56,9 @@ static void answer_exactly(const struct scene *scene,
             counts->tasks++;
         }
 }
+//<
 
+//> Answer a whole batch exactly
 static void answer_all_exactly(const struct scene *scene,
                                const struct batch_search *search,
                                const struct query_batch *batch,
@@ -116,8 +120,7 @@ static void answer_staged(const struct scene *scene,
 
 //> Stage for as many queries as fit
 // For QUERIES, or for fewer where points crowd or the grid has few
-// cells. Returns 0 if not even a
-// batch can be staged.
+// cells. Returns 0 if not even a batch can be staged.
 static uint32_t stage_queries(const struct scene *scene, uint32_t row,
                               uint32_t begin, uint32_t left,
                               struct staging *staging)
@@ -177,7 +180,9 @@ static int chunks_at_once(uint32_t chunks, int threads)
     uint32_t share = chunks / 16 / (uint32_t)threads;
     return share < 1 ? 1 : share > 8 ? 8 : (int)share;
 }
+//<
 
+//> Work through all chunks
 void share_chunks(const struct question *question, chunk_function *work,
                   const void *context)
 {

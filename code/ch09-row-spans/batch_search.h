@@ -8,6 +8,7 @@
 #include "ch09-row-spans/batch.h"
 #include "ch09-row-spans/restore_order.h"
 
+//> Declare an exact query
 enum { QUERIES = 40, CHUNK = 1024 };
 
 // Answers for sorted point s. Found is what the kernel has found but
@@ -15,6 +16,7 @@ enum { QUERIES = 40, CHUNK = 1024 };
 typedef void exact_query(const struct scene *scene, const void *context,
                          uint32_t s, struct neighbor *found,
                          struct counts *counts);
+//<
 
 //> Hold a search of the driver
 struct batch_search {

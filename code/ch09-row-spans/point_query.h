@@ -26,9 +26,11 @@ static inline void query_keep(struct point_query *query, double near2,
 }
 //<
 
+//> Declare how a query meets a span
 // Compares a query with the sorted points begin .. end - 1.
 typedef void compare_function(const struct scene *scene, uint32_t begin,
                               uint32_t end, struct point_query *query);
+//<
 
 // The query of sorted point s, not yet compared with any.
 struct point_query query_of(const struct sorted *sorted, uint32_t s);

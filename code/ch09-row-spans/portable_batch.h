@@ -6,8 +6,10 @@
 #pragma once
 #include "ch09-row-spans/batch.h"
 
+//> Declare what a sweep measures
 typedef float measure_function(const struct scene *scene, float dx,
                                float dy);
+//<
 
 //> Put a place into the low bits
 static inline float numbered(float value, uint32_t place)

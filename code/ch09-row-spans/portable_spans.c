@@ -18,11 +18,13 @@ static void stage(const struct sorted *sorted,
 }
 //<
 
+//> Measure what is near
 static float near_measure(const struct scene *scene, float dx, float dy)
 {
     (void)scene;
     return dx * dx + dy * dy;
 }
+//<
 
 //> Certify the nearest
 // A candidate is certain if no other of the block can be as near, and

@@ -6,12 +6,14 @@
 #include "ch09-row-spans/span_kernels.h"
 #include <stddef.h>
 
+//> Prepare a staging buffer
 void staging_prepare(struct staging *staging, double max_reach)
 {
     staging->max_reach = max_reach;
     for (uint32_t k = 0; k < PLACES; k++)
         staging->place[k] = k;
 }
+//<
 
 //> Choose the columns
 // One more on each side of the queries' own. With wraparound these may
@@ -50,7 +52,7 @@ static double begin_of_cell(const struct axis *axis, int64_t k)
 }
 //<
 
-//> Choose the origin
+//> Refuse a seam that is too coarse
 // The origin as seen from beyond the seam is rounded, as coarsely as
 // doubles of its size are. It must be finer than single precision.
 static bool seam_is_fine(const struct axis *axis, double origin,
@@ -58,7 +60,9 @@ static bool seam_is_fine(const struct axis *axis, double origin,
 {
     return fabs(origin) + axis->period <= reach * 0x1p22;
 }
+//<
 
+//> Choose the origin
 static bool choose_origin(const struct scene *scene, uint32_t row,
                           struct staging *staging)
 {
@@ -132,7 +136,7 @@ static struct parts find_parts(const struct scene *scene, uint32_t row,
 }
 //<
 
-//> Stage a row
+//> Fill places with far points
 // A lane that is no query may name what is at FAR: that has an index,
 // too, if not its own.
 static void fill_far(struct staging *staging, uint32_t place,
@@ -143,7 +147,9 @@ static void fill_far(struct staging *staging, uint32_t place,
         staging->index[k] = 0;
     }
 }
+//<
 
+//> Stage a row
 // Says whether the row has room for them. Kernels write up to PAD
 // places too many, and FAR comes after them.
 static bool stage_row(const struct scene *scene,

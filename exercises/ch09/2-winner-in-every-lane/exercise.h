@@ -20,7 +20,7 @@ struct found {
 };
 
 // Given: the points at four places, from the one asked for on: their
-// squared distances to the one that asks, and their indices. Behind the
+// squared distances to the query, and their indices. Behind the
 // last point of all, distances are NAN and indices 0. It counts.
 struct lanes measure(uint32_t place);
 

@@ -53,7 +53,7 @@ static bool in_spans(const struct question *q, uint32_t place)
     return false;
 }
 
-// The place of the nearest from one place up to another; n: nobody.
+// The place of the nearest from one place up to another; n: none.
 static uint32_t winner(const struct question *q, uint32_t begin,
                        uint32_t end, uint32_t self)
 {
@@ -95,7 +95,7 @@ static void shuffle(struct question *q, uint32_t values,
     }
 }
 
-// The one who asks is in one of the spans, and so is the nearest.
+// The query is in one of the spans, and so is the nearest.
 static void seat(struct question *q, struct random *random)
 {
     const struct span *home = &q->span[random_bits(random) % q->spans];
@@ -113,7 +113,7 @@ static void seat(struct question *q, struct random *random)
             swap(q, s, best);
             return;
         }
-    q->n = q->spans = 1; // nobody else there: be alone in the world
+    q->n = q->spans = 1; // no other point there
 }
 
 // Cuts n places into spans and gaps. The first span is not empty, the
@@ -157,7 +157,7 @@ static void prepare(uint32_t spans, uint32_t unit, uint32_t values,
 
 static const char *tell_question(const struct question *q)
 {
-    const char *text = kit_text("point %u of %u asks", q->self, q->n);
+    const char *text = kit_text("query: point %u of %u", q->self, q->n);
     for (uint32_t s = 0; s < q->spans; s++)
         text = kit_text("%s%s %u to %u", text, s ? "," : "; spans",
                         q->span[s].begin, q->span[s].end);
@@ -184,7 +184,7 @@ static uint32_t lane_of(const struct question *q, uint32_t place)
 static const char *tell(const struct question *q, struct found answer)
 {
     if (answer.nearest == NO_INDEX)
-        return "nobody";
+        return "none";
     uint32_t place = place_of(q, answer.nearest);
     if (place == q->n)
         return kit_text("point %u, which there is not", answer.nearest);
@@ -222,9 +222,9 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
         return "Behind the last point distances are NAN: ask whether "
                "the new one is less.";
     if (answer.nearest == q->self)
-        return "This is the point that asks.";
+        return "This is the query itself.";
     if (right == q->n)
-        return "There is nobody else: NO_INDEX, at INFINITY.";
+        return "There is no other point: NO_INDEX, at INFINITY.";
     if (place < q->n && answer.nearest2 != q->distance2[place])
         return "This is not the distance of that point. A distance and "
                "its index are kept or replaced together.";

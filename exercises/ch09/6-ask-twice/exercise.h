@@ -15,11 +15,11 @@ struct found {
     double nearest2;  // the squared distance, in double precision
 };
 
-// Given: the squared distance of the one who asks from the point at a
+// Given: the squared distance of the query from the point at a
 // place, in double precision. It counts.
 double exact(uint32_t place);
 
-// The nearest to the one who asks, whose coordinates x and y are
+// The nearest to the query, whose coordinates x and y are
 // rounded, too; the lowest index if several tie. It is no further away
 // than 1/8. There are candidates; scratch has room for n numbers.
 struct found filter(const struct candidates *candidates, float x,

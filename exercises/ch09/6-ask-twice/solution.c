@@ -1,6 +1,6 @@
 // In single precision first. Each of these distances is wrong by less
 // than 2^-23 (exercise 9.5), so the nearest is among those that exceed
-// the smallest by 2^-22 or less. They are asked again.
+// the smallest by 2^-22 or less. They are computed again.
 #include "exercise.h"
 #include <math.h>
 
@@ -27,7 +27,7 @@ struct found filter(const struct candidates *candidates, float x,
     }
     return found;
     //- starter
-    // // Your turn: so far nobody is asked a second time.
+    // // Your turn: so far none is computed a second time.
     // struct found found = {UINT32_MAX, INFINITY};
     // for (uint32_t s = 0; s < candidates->n; s++) {
     //     float dx = candidates->x[s] - x, dy = candidates->y[s] - y;

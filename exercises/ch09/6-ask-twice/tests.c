@@ -1,5 +1,5 @@
 // Tests of the filter: answers, also where single precision finds
-// somebody else, and who is asked again.
+// another point, and which are computed again.
 #include "common/geometry.h"
 #include "common/random.h"
 #include "exercise.h"
@@ -61,7 +61,7 @@ static void swap(double *a, double *b)
     *b = c;
 }
 
-// Any place for everybody, and indices that are in no order.
+// Any places, and indices that are in no order.
 static void finish(struct question *q, struct random *random)
 {
     for (uint32_t s = 0; s < q->n; s++)
@@ -93,7 +93,7 @@ static void ask_in_block(struct question *q, struct random *random)
             low + side * random_uniform(random));
 }
 
-// Around one who asks, at distances from radius on, so far apart.
+// Around a query, at distances from radius on, so far apart.
 static void ask_in_ring(struct question *q, double radius, double apart,
                         struct random *random)
 {
@@ -240,8 +240,8 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
     if (place < q->n && right2(q, place) == right2(q, right))
         return "These tie, and the other one has the lower index.";
     if (note->asked[right] > 0)
-        return "It was asked again, and then forgotten.";
-    return kit_text("It was not asked again, because in single "
+        return "It was computed again, and then forgotten.";
+    return kit_text("It was not computed again, because in single "
                     "precision another one is nearer, by %.2f of "
                     "2^-24. Both may be wrong, in opposite directions, "
                     "and at any distance: what was rounded are the "
@@ -282,7 +282,7 @@ static void check_answers(void)
         WRONG(.where = tell_asking(q), .expected = tell(q, right),
               .found =
                   place == q->n
-                      ? "nobody"
+                      ? "none"
                       : kit_text("%s; answered %.11g", tell(q, place),
                                  sqrt(found[k].nearest2)),
               .cause = wrong_cause(q, right, &notes[k], found[k]));
@@ -297,13 +297,13 @@ static const char *look_cause(const struct question *q, uint32_t place,
     for (uint32_t s = 0; s < q->n; s++)
         asked += note->asked[s] > 0;
     if (asked == q->n)
-        return "Everybody was asked. Who is clearly further away in "
+        return "All were computed. What is clearly further away in "
                "single precision need not be.";
     if (single2(q, place) <= (least * least + 0x1p-21) * (1 + 0x1p-20))
         return "The bound is one for distances. Those of squares "
                "differ by much less: take the root of the smallest, "
                "add, and square again.";
-    return "Is everybody compared with the smallest of all, or with "
+    return "Are all compared with the smallest of all, or with "
            "the smallest so far? Find it first.";
 }
 
@@ -316,14 +316,14 @@ static void check_looks(void)
             if (notes[k].asked[s] > 1)
                 WRONG(.where = tell_asking(q), .expected = tell(q, s),
                       .found =
-                          kit_text("asked %u times", notes[k].asked[s]),
+                          kit_text("computed %u times", notes[k].asked[s]),
                       .cause = "Once is enough.");
             if (notes[k].asked[s] == 0 ||
                 single(q, s) <= least_single(q) + 0x1p-21)
                 continue;
             WRONG(.where = tell_asking(q),
-                  .expected = kit_text("nobody beyond %.11g + 2^-21 "
-                                       "asked again",
+                  .expected = kit_text("none beyond %.11g + 2^-21 "
+                                       "computed again",
                                        least_single(q)),
                   .found = tell(q, s),
                   .cause = look_cause(q, s, &notes[k]));
@@ -371,6 +371,6 @@ const struct kit_test kit_tests[] = {
     {"close", 2, "distances that hardly differ", close_calls},
     {"worst", 2, "rounded as badly as can be", worst},
     {"ties", 2, "the lowest index of those that tie", ties},
-    {"looks", 3, "nobody is asked twice for nothing", looks},
+    {"looks", 3, "none is computed twice for nothing", looks},
     {0},
 };

@@ -121,9 +121,9 @@ static const char *wrong_cause(uint32_t k, uint32_t i)
     if (all)
         return "The k smallest are all there, but not in order.";
     if (times(right[i], k) > 0)
-        return "The right one is in another place, and somebody was "
+        return "The right one is in another place, and another one was "
                "lost.";
-    return "The right one was lost. Who has to leave his place is "
+    return "The right one was lost. What has to leave its place is "
            "compared with the next one.";
 }
 
@@ -135,7 +135,7 @@ static void check(uint32_t k)
     if (notes->no_key)
         WRONG(.expected = "two keys to compare",
               .found = "something else",
-              .cause = "A place that nobody has written to holds no "
+              .cause = "A place that was never written to holds no "
                        "key. Begin with nothing() everywhere.");
     for (uint32_t i = 0; i < k; i++)
         if (kept[i] != right[i])

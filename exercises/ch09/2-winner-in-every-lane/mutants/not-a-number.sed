@@ -1,4 +1,4 @@
-# Asks whether it is not further.
+# Tests whether it is not further.
 # expect: Its lane met NAN later
 # why: "Not greater" is "less or equal", for numbers.
 s/(d2 < best->distance2\[l\])/!(d2 >= best->distance2[l])/

@@ -1,4 +1,4 @@
-# Asks everybody again.
-# expect: Everybody was asked
+# Computes all again.
+# expect: All were computed
 # why: It is right, and makes the filter superfluous.
 s/scratch\[s\] > limit \* limit/scratch[s] > 2/

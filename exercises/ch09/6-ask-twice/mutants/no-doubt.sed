@@ -1,4 +1,4 @@
-# Asks only the smallest again.
+# Computes only the smallest again.
 # expect: Both may be wrong, in opposite directions
 # why: The smallest in single precision is the smallest, nearly always.
 s/ + 0x1p-22//
