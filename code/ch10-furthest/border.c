@@ -112,10 +112,12 @@ static void visit_outside(const struct sorted *sorted,
 }
 //<
 
-//> Answer every query there
+//> Know a search that errs
 typedef void far_visit(const struct sorted *sorted,
                        struct far_query *query);
+//<
 
+//> Visit for every query
 static void search(const struct question *question,
                    const struct sorted *sorted, far_visit *visit,
                    struct answers *answers)
@@ -140,6 +142,7 @@ static void search(const struct question *question,
         counts_add(question->counts, &mine);
     }
 }
+//<
 
 void search_edge_cells(const struct question *question,
                        const struct sorted *sorted,
@@ -154,5 +157,4 @@ void search_one_corner(const struct question *question,
 {
     search(question, sorted, visit_outside, answers);
 }
-//<
 //<

@@ -46,11 +46,14 @@ static uint32_t keep_far(const struct making *making,
     const double up = 0.5 * square.side * height * (1 + 0x1p-20);
     double max2 = -1;
     uint32_t far = 0, kept = 0;
+    //> Find the corner furthest from the middle
     for (uint32_t k = 0; k < count; k++) {
         double d2 = distance2(p.x[from[k]] - x, p.y[from[k]] - y);
         if (d2 > max2)
             max2 = d2, far = from[k];
     }
+    //<
+    //> Cross out what is nearer everywhere
     for (uint32_t k = 0; k < count; k++) {
         uint32_t b = from[k];
         double d2 = distance2(p.x[b] - x, p.y[b] - y);
@@ -59,12 +62,12 @@ static uint32_t keep_far(const struct making *making,
         if (!(max2 - d2 > change + making->margin))
             to[kept++] = b;
     }
+    //<
     return kept;
 }
 //<
 
-//> Give a square its list
-// All its cells share it.
+//> Add a list to the lists
 static uint32_t add_list(const struct making *making,
                          const uint32_t *list, uint32_t count)
 {
@@ -85,7 +88,10 @@ static uint32_t add_list(const struct making *making,
     grid->length = needed;
     return begin;
 }
+//<
 
+//> Give a square its list
+// All its cells share it.
 static void give_list(const struct making *making, struct square square,
                       const uint32_t *list, uint32_t count)
 {
@@ -155,13 +161,15 @@ static void find_box(struct points p, double *left, double *right,
 }
 //<
 
-//> Make the candidate grid
+//> Scale a length to cells
 static double cells_per(uint32_t side, double length)
 {
     double per = side / length;
     return isfinite(per) ? per : 0; // 0 * 0 is in the first
 }
+//<
 
+//> Begin with the whole box
 static void make_lists(struct making *making, uint32_t side, uint32_t h)
 {
     uint32_t levels = 2;
@@ -175,7 +183,9 @@ static void make_lists(struct making *making, uint32_t side, uint32_t h)
     making->enough = (size_t)4 * side * (h + side);
     divide(making, (struct square){0, 0, side}, from, h, room);
 }
+//<
 
+//> Measure from the lower left
 static struct points measured_from(struct points p, double left,
                                    double bottom,
                                    struct workspace *workspace)
@@ -189,7 +199,9 @@ static struct points measured_from(struct points p, double left,
     }
     return measured;
 }
+//<
 
+//> Make the candidate grid
 struct candidate_grid candidate_grid_make(const struct corners *corners,
                                           uint32_t n,
                                           struct workspace *workspace)
@@ -202,12 +214,14 @@ struct candidate_grid candidate_grid_make(const struct corners *corners,
     const bool fits = diagonal2 > LEAST_D2 && diagonal2 < MOST_D2;
     const uint32_t side = fits ? side_for(n, p.n) : 1;
     struct candidate_grid grid = {.side = side, .corners = p.n};
+    //> Lay the grid over the box
     if (fits) { // else any x * 0 is 0, and in the only one
         grid.left = left, grid.across = cells_per(side, width);
         grid.bottom = bottom, grid.up = cells_per(side, height);
     }
     grid.cell = workspace_take(workspace, (size_t)side * side,
                                sizeof *grid.cell);
+    //<
     struct making making = {
         .points = measured_from(p, left, bottom, workspace),
         .width = width,

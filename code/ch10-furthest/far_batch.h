@@ -23,7 +23,9 @@ struct far_batch {
     int64_t self[FAR_BATCH], furthest[FAR_BATCH]; // as wide as the rest
     struct counts *counts;                        // of the thread
 };
+//<
 
+//> Begin a batch of far queries
 // The queries of the sorted points from s on. As long as no point is
 // further than 0, the first of the others is the furthest.
 INLINED void begin_far_batch(const uint32_t lanes,

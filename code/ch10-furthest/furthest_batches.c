@@ -8,8 +8,7 @@
 #include "ch10-furthest/outside.h"
 #include <assert.h>
 
-//> Compare with a wider block
-// By a cell on each side.
+//> Compare one query with some points
 static void compare_points(const struct far_scene *scene,
                            uint32_t begin, uint32_t end,
                            struct far_batch *query)
@@ -18,8 +17,10 @@ static void compare_points(const struct far_scene *scene,
         compare_far(WRAPAROUND, 1, scene, s, query);
     query->counts->distances += end - begin;
 }
+//<
 
-// Says whether no point outside of it can be further.
+//> Compare with a wider block
+// By a cell on each side. Says whether no point outside can be further.
 static bool compare_block(const struct far_scene *scene,
                           struct far_batch *query)
 {
@@ -82,6 +83,7 @@ void search_near_and_far_batches(const struct question *question,
     struct neighbor *near = NULL, *far = NULL;
     struct batch_search searches[2];
     int count = 0;
+    //> Search for either half that is wanted
     if (answers->nearest) {
         near = workspace_take(workspace, n, sizeof *near);
         searches[count++] =
@@ -97,6 +99,7 @@ void search_near_and_far_batches(const struct question *question,
             .results = far,
             .inverse = partition->inverse};
     }
+    //<
     answer_all(question, &scene, searches, count);
     if (near)
         restore_order(near, partition->permutation, n,

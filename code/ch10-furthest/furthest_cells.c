@@ -58,7 +58,9 @@ INLINED void search_lanes(const enum geometry geometry,
         found[lane].index = (uint32_t)batch.furthest[lane];
     }
 }
+//<
 
+//> Choose the copy for one query, or for eight
 void furthest_of_one(const struct far_scene *scene, uint32_t s,
                      struct neighbor *found, struct counts *counts)
 {
@@ -102,7 +104,9 @@ static void search_chunk(const void *context, uint32_t begin,
             search->results[search->inverse[s + lane]] = found[lane];
     }
 }
+//<
 
+//> Search the cells of a partition
 void search_furthest_cells(const struct question *question,
                            const struct partition *partition,
                            struct workspace *workspace,

@@ -74,7 +74,9 @@ void search_corners(const struct question *question,
     counts_add(question->counts,
                &(struct counts){.distances = distances});
 }
+//<
 
+//> Find the corners and scan them
 void furthest_hull(const struct question *question,
                    struct answers *answers)
 {

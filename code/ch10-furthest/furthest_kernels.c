@@ -23,7 +23,9 @@ static inline float loss_slack(struct space space, double reach)
                     space.height * space.height) *
                        0x1p-48);
 }
+//<
 
+//> Refuse what floats cannot hold
 // What is staged will do only within the kernels' reach, and if no loss
 // is more than a float can hold.
 static bool losses_fit(struct space space, double reach)
@@ -73,6 +75,7 @@ uint32_t portable_furthest(const struct scene *scene,
     const float slack = loss_slack(space, staging->reach);
     uint32_t certified = 0;
     for (int lane = 0; lane < BATCH; lane++) {
+        //> Certify a lane for the furthest
         uint32_t s = batch->begin + lane;
         uint32_t t = staging->index[place_of(two.best[lane])];
         double far2 =
@@ -84,6 +87,7 @@ uint32_t portable_furthest(const struct scene *scene,
                                            &sorted->grid, &batch->block,
                                            space, x[s], y[s]))
                      << lane;
+        //<
     }
     return certified;
 }
@@ -145,8 +149,7 @@ INLINED uint32_t verify_far(const enum geometry geometry,
 }
 //<
 
-//> Find the furthest with vectors
-// With AVX-512 only the sweep is another one.
+//> Certify the lanes that are certain
 USE_AVX2
 INLINED uint32_t certify_far(const struct scene *scene,
                              const struct staging *staging,
@@ -160,7 +163,9 @@ INLINED uint32_t certify_far(const struct scene *scene,
     return certify(verify_far, WRAPAROUND, scene, batch, certain,
                    result);
 }
+//<
 
+//> Find the furthest with AVX2
 USE_AVX2
 uint32_t avx2_furthest(const struct scene *scene,
                        const struct staging *staging,
@@ -172,7 +177,10 @@ uint32_t avx2_furthest(const struct scene *scene,
     struct best_two two = sweep(measure_losses, scene, staging, batch);
     return certify_far(scene, staging, batch, &two, result);
 }
+//<
 
+//> Find the furthest with AVX-512
+// Only the sweep is another one.
 USE_AVX512
 INLINED __m512 measure_losses_wide(const struct wide_lanes *lanes,
                                    __m512 dx, __m512 dy)

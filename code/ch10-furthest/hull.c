@@ -11,7 +11,10 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+//> Allow for a miss
+// Of a mean that is computed, as a share of the diagonal.
 static const double MISS = 0x1p-48;
+//<
 
 //> Hold a candidate for a corner
 struct candidate {
@@ -20,9 +23,8 @@ struct candidate {
 };
 //<
 
-//> Sort the candidates
-// From left to right, of the same x from below; of several in the same
-// place the one of the lowest index stays.
+//> Order two candidates
+// From left to right, of the same x from below.
 static int from_left(const void *one, const void *other)
 {
     const struct candidate *a = one, *b = other;
@@ -32,7 +34,10 @@ static int from_left(const void *one, const void *other)
         return a->y < b->y ? -1 : 1;
     return (a->point > b->point) - (a->point < b->point);
 }
+//<
 
+//> Sort the candidates
+// Of several in the same place the one of the lowest index stays.
 static uint32_t sort_candidates(struct candidate *candidate, uint32_t n)
 {
     uint32_t count = 1;
@@ -52,7 +57,6 @@ static double turn(struct candidate a, struct candidate b,
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
-
 //<
 
 //> Chain those below, or above
@@ -205,6 +209,7 @@ struct corners corners_among(struct points p, const uint32_t *index,
     free(kept);
     return corners;
 }
+//<
 
 struct corners corners_find(const struct question *question)
 {
@@ -217,5 +222,4 @@ void corners_free(struct corners *corners)
     free(corners->point);
     *corners = (struct corners){0};
 }
-//<
 //<

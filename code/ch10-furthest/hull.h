@@ -15,15 +15,19 @@ struct corners {
 };
 //<
 
+//> Ask for so much surplus
 // A point is never the furthest if it is the mean of others, with any
 // weights, and their mean squared distance from it is more than this
 // times that of the diagonal of the box of all points. Twice what the
 // proof in hull.c asks for.
 static const double CORNER_SURPLUS = 0x1p-44;
+//<
 
+//> Trust what neither vanishes nor overflows
 // Where the squared diagonal is between these, what we compute from it
 // neither vanishes nor overflows.
 static const double LEAST_D2 = 0x1p-900, MOST_D2 = 0x1p+1000;
+//<
 
 // The furthest of every point, in rounded squared distances and of
 // several the one of the lowest index, is among them; but where all

@@ -30,7 +30,9 @@ static struct columns occupied(const struct sorted *sorted,
         axis_cell(across, x[start[0]]),
         axis_cell(across, x[start[across->count] - 1])};
 }
+//<
 
+//> Join and meet two ranges
 // Both of them and all between.
 static struct columns join(struct columns a, struct columns b)
 {
@@ -79,7 +81,7 @@ struct hull_candidates {
 };
 //<
 
-//> Take what is not enclosed
+//> Find the two spans of a row
 // Of a row, what is before the enclosed columns, and what is after.
 struct spans {
     uint32_t begin[2], end[2];
@@ -96,7 +98,9 @@ static struct spans spans_of(const struct sorted *sorted, uint32_t row,
     return (struct spans){{start[0], start[last]},
                           {start[first], start[columns]}};
 }
+//<
 
+//> Take a span
 static void take(const struct sorted *sorted, uint32_t begin,
                  uint32_t end, struct hull_candidates *found)
 {
@@ -109,7 +113,9 @@ static void take(const struct sorted *sorted, uint32_t begin,
            count * sizeof(uint32_t));
     found->points.n += count;
 }
+//<
 
+//> Take all spans
 static struct hull_candidates take_candidates(
     const struct sorted *sorted, const struct columns *enclosed,
     struct workspace *workspace)
@@ -147,6 +153,7 @@ static bool cells_are_wide(const struct grid *grid)
 }
 //<
 
+//> Find the corners of sorted points
 struct corners corners_of_sorted(const struct question *question,
                                  const struct sorted *sorted,
                                  struct workspace *workspace)
@@ -162,4 +169,5 @@ struct corners corners_of_sorted(const struct question *question,
     workspace_release(workspace, mark);
     return corners;
 }
+//<
 //<

@@ -30,7 +30,10 @@ struct octagon {
     uint32_t stretch[EXTREMES];
     double x[EXTREMES], y[EXTREMES];
 };
+//<
 
+//> Note an extreme
+// Of a tie the lowest stretch, so that threads do not matter.
 static void note_extreme(struct octagon *octagon, int e, double extreme,
                          uint32_t stretch)
 {
@@ -65,7 +68,9 @@ INLINED void note_points(const uint32_t lanes, struct points p,
         }
     }
 }
+//<
 
+//> Note the points of a stretch
 static void note_stretch(struct points p, uint32_t begin, uint32_t end,
                          struct octagon *octagon)
 {

@@ -58,7 +58,6 @@ struct arc {
     uint32_t begin, end, first, last, left;
     uint32_t others; // that are not in the own cells
 };
-
 //<
 
 //> Shorten an arc
@@ -94,7 +93,6 @@ struct axis_bounds {
     const double *x, *other2;
     double seam[FAR_BATCH];
 };
-
 //<
 
 //> Bound the seam
@@ -120,7 +118,6 @@ struct ends {
     bool front, done; // which is further; no lane can improve
     double front2[FAR_BATCH], back2[FAR_BATCH]; // how far, squared
 };
-
 //<
 
 //> Find the further end
@@ -141,6 +138,7 @@ INLINED void find_ends(const enum geometry geometry,
     uint32_t some = 0;
 #pragma omp simd reduction(| : some)
     for (uint32_t lane = 0; lane < lanes; lane++) {
+        //> Bound the arc in a lane
         double far = max_separation(geometry, axis, ends->one, x[lane]);
         double there =
             max_separation(geometry, axis, ends->other, x[lane]);
@@ -153,19 +151,22 @@ INLINED void find_ends(const enum geometry geometry,
             !(rest * rest + bounds->other2[lane] < batch->max2[lane]);
         ends->front2[lane] = far * far;
         ends->back2[lane] = there * there;
+        //<
     }
     const uint32_t middle = lanes / 2;
     ends->done = !some;
     ends->front = own || ends->front2[middle] >= ends->back2[middle];
 }
+//<
 
+//> Choose the bound of the further end
 INLINED const double *far_end2(const struct ends *ends)
 {
     return ends->front ? ends->front2 : ends->back2;
 }
 //<
 
-//> Lay out all rows, or one
+//> Lay out all rows
 // With wraparound the ring, cut open before the first of the queries.
 // They are in one row, and in a row anywhere, but in order.
 INLINED struct arc lay_out_rows(const enum geometry geometry,
@@ -180,7 +181,9 @@ INLINED struct arc lay_out_rows(const enum geometry geometry,
     uint32_t own = axis_cell(bounds->axis, bounds->x[0]);
     return arc_from(0, rows->count, rows->place[own], 1);
 }
+//<
 
+//> Lay out a row
 INLINED struct arc lay_out_row(const enum geometry geometry,
                                const uint32_t lanes,
                                const struct points points,

@@ -4,10 +4,9 @@
 
 enum { PLACES = 64, REACH = 12 };
 
-//> Expect the cells at a corner
 // Of those seen in a direction (right, up), cells counted from the
-// corner: row by row, each as long as nobody seen before is further
-// than all that is in the cell. Those further are in a triangle, of
+// corner: row by row, each as long as no point seen before is
+// further than all that is in the cell. Those further are in a triangle, of
 // which only the rows up to its own have been seen.
 static double cells_at_corner(double c, double right, double up)
 {
@@ -23,9 +22,7 @@ static double cells_at_corner(double c, double right, double up)
         }
     return sum;
 }
-//<
 
-//> Expect the cells around a point
 // At (u, v) in its home, with wraparound: the nearer by the sum of the
 // separations, the further. Those further than all that is in a cell
 // are in a diamond, cut off above and below the rows seen.
@@ -54,7 +51,6 @@ static double cells_around(double c, double u, double v)
     }
     return sum;
 }
-//<
 
 double expected_outside(enum geometry geometry, double c)
 {
