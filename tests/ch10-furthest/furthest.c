@@ -13,10 +13,10 @@
 #include "common/isa.h"
 #include "common/random.h"
 #include "harness.h"
+#include "memory.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 // ---- the answers ---------------------------------------------------
 static struct question ask(struct points points, enum geometry geometry,
@@ -694,51 +694,9 @@ static void tricks_count(void)
 }
 
 // ---- memory --------------------------------------------------------
-// A sanitizer touches pages for its own records.
-#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__
-enum { MOST_FAULTS = 1000 };
-#else
-enum { MOST_FAULTS = 20 };
-#endif
-
-static long page_faults(void)
-{
-    struct rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_minflt;
-}
-
-// Both answers, with a workspace, touch no new page when the search is
-// repeated, and need less than 70 bytes a point: 110 with points and
-// answers.
 static void memory_is_kept(void)
 {
-    const uint32_t n = 300000;
-    for (int g = STANDARD; g <= WRAPAROUND; g++) {
-        struct workspace workspace = {0};
-        struct question question = {
-            generate(find_distribution("uniform"), n, 1),
-            {g, 1, 1},
-            2,
-            .workspace = &workspace};
-        struct answers answers = answers_allocate(n);
-        long faults[3] = {0};
-        for (int trial = 0; trial < 3; trial++) {
-            long before = page_faults();
-            find_algorithm("near-and-far")->run(&question, &answers);
-            faults[trial] = page_faults() - before;
-        }
-        CHECK(faults[1] + faults[2] < MOST_FAULTS,
-              "%ld pages touched again, geometry %d",
-              faults[1] + faults[2], g);
-        size_t bytes = 0;
-        for (int k = 0; k < WORKSPACE_BLOCKS; k++)
-            bytes += workspace.block[k].size;
-        CHECK(bytes < 67 * (size_t)n, "%zu bytes kept", bytes);
-        workspace_free(&workspace);
-        answers_free(&answers);
-        points_free(&question.points);
-    }
+    check_memory_kept("near-and-far", 2, 67);
 }
 
 // ---- margins -------------------------------------------------------
