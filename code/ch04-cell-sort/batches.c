@@ -179,6 +179,7 @@ INLINED void search(const enum geometry geometry,
 #pragma omp for schedule(dynamic, STRIPES_PER_CHUNK) collapse(2)
         for (uint32_t row = 0; row < rows; row++)
             for (uint32_t k = 0; k < columns; k += STRIPE) {
+                //> Search the next stripe
                 const uint32_t *start =
                     sorted->cells.start + row * columns;
                 uint32_t beyond = k + STRIPE;
@@ -188,6 +189,7 @@ INLINED void search(const enum geometry geometry,
                     geometry, question, sorted, batch,
                     start[beyond < columns ? beyond : columns],
                     answers);
+                //<
             }
         counts_add(question->counts, &mine);
     }

@@ -74,6 +74,7 @@ static inline struct range axis_range(const struct axis *axis,
 }
 //<
 
+//> Go on round the axis
 // Cell k of a range, 0 <= k < count.
 static inline uint32_t range_cell(const struct axis *axis,
                                   const struct range *range, uint32_t k)
@@ -81,6 +82,7 @@ static inline uint32_t range_cell(const struct axis *axis,
     uint32_t cell = range->first + k;
     return cell < axis->count ? cell : cell - axis->count;
 }
+//<
 
 //> Make a block of two ranges
 // The block around the cells of a row from one column to another.

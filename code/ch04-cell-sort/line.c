@@ -47,6 +47,7 @@ static uint32_t place_of(const double *x, uint32_t n, double a)
 }
 //<
 
+//> Take the numbers from there on
 uint32_t sorted_between(const double *x, uint32_t n, double a, double b,
                         double *found)
 {
@@ -55,6 +56,7 @@ uint32_t sorted_between(const double *x, uint32_t n, double a, double b,
         found[count++] = x[s];
     return count;
 }
+//<
 //<
 
 //> Sort numbers into bins

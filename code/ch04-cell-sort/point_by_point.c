@@ -116,6 +116,7 @@ void cells_indices(const struct question *question,
     grid_free(&grid);
 }
 
+//> Sort the points, then search
 void cells_sorted(const struct question *question,
                   struct answers *answers)
 {
@@ -125,5 +126,6 @@ void cells_sorted(const struct question *question,
     search_sorted(question, &sorted, answers);
     sorted_free(&sorted);
 }
+//<
 //<
 //<

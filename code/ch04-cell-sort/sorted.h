@@ -13,9 +13,11 @@ struct sorted {
 };
 //<
 
+//> Name a way to sort
 // A way to sort points into the cells of a grid, with so many threads.
 typedef struct cells cell_sort(const struct grid *grid,
                                struct points points, int threads);
+//<
 
 // cells_sort, which is done by one thread.
 cell_sort cells_sort_alone;

@@ -17,7 +17,7 @@ void fool_the_block(struct points points)
     }
     //- starter
     // // Your turn: this puts every point into a cell of its own, and
-    // // fools nobody.
+    // // fools none.
     // for (uint32_t i = 0; i < points.n; i++) {
     //     points.x[i] = i % COLUMNS + 0.5;
     //     points.y[i] = i / COLUMNS + 0.5;

@@ -69,8 +69,8 @@ static const char *cause(struct points points, uint32_t i)
     if (between(points, i, found) < 1)
         return "Less than the side of a cell apart, two points are in "
                "each other's blocks wherever they lie.";
-    return "The point in its block is nearer than all others. Nobody "
-           "in a block may be as near as those whom it shall miss.";
+    return "The point in its block is nearer than all others. No point "
+           "in a block may be as near as those that it shall miss.";
 }
 
 static struct points place(uint32_t n)

@@ -1,5 +1,5 @@
 // Cell order in place: every stranger is exchanged with one that stands
-// in its own cell, until nobody is a stranger. Each exchange brings at
+// in its own cell, until none is a stranger. Each exchange brings at
 // least one point home and sends none away.
 #include "common/fail.h"
 #include "exercise.h"
@@ -35,7 +35,7 @@ void back_in_order(uint32_t n, uint32_t m, uint32_t *start)
             }
     free(home);
     //- starter
-    // // Your turn: this moves nobody, and starts are not set.
+    // // Your turn: this moves no point, and starts are not set.
     // for (uint32_t k = 0; k <= m; k++)
     //     start[k] = n;
     //- end

@@ -80,8 +80,8 @@ static const char *start_cause(const uint32_t *start, uint32_t k)
                "nonsense, also as a count to add to.";
     if (k < m && start[k] == right_start[k + 1])
         return "This is where the cell ends. The sum must not contain "
-               "the cell's own points, and whoever advances the starts "
-               "has to set them back.";
+               "the cell's own points, and a program that advances the "
+               "starts has to set them back.";
     if (k == m)
         return "The last start is where the last cell ends: n.";
     return "A cell begins after all the points of all the cells before "
@@ -117,7 +117,7 @@ static void check_order(void)
                       .found = kit_text("one of cell %u", cells[s]),
                       .cause =
                           notes->exchanges == 0
-                              ? "Nobody was moved."
+                              ? "No point was moved."
                               : "When one has gone home, another "
                                 "stands in its slot, and may be a "
                                 "stranger, too: look again, before you "
@@ -174,11 +174,11 @@ static void check_exchanges(void)
               .found = kit_text("%ju", (uintmax_t)notes->exchanges),
               .cause =
                   strangers == 0
-                      ? "Everybody was at home already. Look before "
+                      ? "All points were at home already. Look before "
                         "you exchange."
                       : "Points that were at home were sent away. "
                         "Before you put one into the next slot of its "
-                        "cell, look whether whoever stands there is "
+                        "cell, look whether the one that is there is "
                         "at home, and pass by.");
 }
 

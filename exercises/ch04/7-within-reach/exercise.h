@@ -1,4 +1,4 @@
-// Exercise: everybody within reach
+// Exercise: all pairs within reach
 #pragma once
 #include "common/geometry.h"
 #include "common/points.h"
