@@ -74,6 +74,7 @@ static void extent(const double *values, uint32_t n, int threads,
     for (int k = 0; k < LANES; k++)
         lowest[k] = highest[k] = values[0];
     const uint32_t whole = n - n % LANES;
+    //> Keep sixteen lowest and sixteen highest
 #pragma omp parallel for num_threads(threads) reduction(min       \
                                                         : lowest) \
     reduction(max                                                 \
@@ -84,6 +85,7 @@ static void extent(const double *values, uint32_t n, int threads,
             lowest[k] = value < lowest[k] ? value : lowest[k];
             highest[k] = value > highest[k] ? value : highest[k];
         }
+    //<
     for (uint32_t i = whole; i < n; i++) {
         lowest[0] = fmin(lowest[0], values[i]);
         highest[0] = fmax(highest[0], values[i]);
