@@ -17,7 +17,9 @@ static uint32_t sum_of(const uint32_t *from, uint32_t n)
         sum += from[i];
     return sum;
 }
+//<
 
+//> Count the marks of a block
 static uint32_t ones(const uint8_t *keep, uint32_t n)
 {
     uint32_t sum = 0;

@@ -24,7 +24,7 @@ void portable_gather(double *to, const double *from,
 }
 //<
 
-//> Gather and scatter the rest
+//> Gather numbers of 32 bits
 void portable_gather32(uint32_t *to, const uint32_t *from,
                        const uint32_t *index, uint32_t n)
 {
@@ -32,7 +32,9 @@ void portable_gather32(uint32_t *to, const uint32_t *from,
     for (uint32_t i = 0; i < n; i++)
         to[i] = from[index[i]];
 }
+//<
 
+//> Scatter through an index
 void portable_scatter(double *to, const double *from,
                       const uint32_t *index, uint32_t n)
 {
@@ -40,7 +42,9 @@ void portable_scatter(double *to, const double *from,
     for (uint32_t i = 0; i < n; i++)
         to[index[i]] = from[i];
 }
+//<
 
+//> Scatter numbers of 32 bits
 void portable_scatter32(uint32_t *to, const uint32_t *from,
                         const uint32_t *index, uint32_t n)
 {
