@@ -94,12 +94,4 @@ void report_provenance(FILE *out)
     fprintf(out, "# date: %s\n", date);
 }
 //<
-
-//> Make a word of a name
-void print_word(FILE *out, const char *name)
-{
-    for (; *name; name++)
-        putc(*name == '-' ? '_' : *name, out);
-}
-//<
 //<

@@ -6,8 +6,4 @@
 #include <stdio.h>
 
 void report_provenance(FILE *out);
-
-// Prints a name so that prose can quote it: two-clusters is
-// two_clusters.
-void print_word(FILE *out, const char *name);
 //<

@@ -1,4 +1,3 @@
-//> Ask ANN
 // The library of Arya and Mount. It is compiled already, for any
 // dimension. A search keeps its state in global variables, so that only
 // one may run at a time.
@@ -28,7 +27,6 @@ void *build(const place *point, uint32_t n, int leaf, int)
     return new built(std::move(points), leaf);
 }
 
-//> Let ANN answer
 void query(void *made, int, uint32_t *nearest, double *nearest2)
 {
     built &here = *static_cast<built *>(made);
@@ -42,7 +40,6 @@ void query(void *made, int, uint32_t *nearest, double *nearest2)
         nearest2[i] = distance2[best];
     }
 }
-//<
 
 void discard(void *made)
 {
@@ -52,4 +49,3 @@ void discard(void *made)
 
 const struct peer peer_ann = {"ANN", ANNversion, {4, 8, 16, 32}, false,
                               build, query,      discard};
-//<

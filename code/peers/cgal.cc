@@ -1,4 +1,3 @@
-//> Ask CGAL
 // A k-d tree of the Computational Geometry Algorithms Library
 // (Tangelder and Fabri), for points of the plane in double precision,
 // each with its number. The tree keeps the coordinates in the order of
@@ -49,7 +48,6 @@ void *build(const place *from, uint32_t n, int leaf, int threads)
     return made;
 }
 
-//> Let CGAL answer
 // The two nearest, one of whom is the point itself, unless others are
 // in the same place: then anybody else is at the right distance.
 void query(void *made, int threads, uint32_t *nearest, double *nearest2)
@@ -66,7 +64,6 @@ void query(void *made, int threads, uint32_t *nearest, double *nearest2)
         nearest2[i] = best->second;
     }
 }
-//<
 
 void discard(void *made)
 {
@@ -77,4 +74,3 @@ void discard(void *made)
 const struct peer peer_cgal = {
     "CGAL", CGAL_VERSION_STR, {4, 8, 16, 32}, true, build,
     query,  discard};
-//<

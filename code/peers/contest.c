@@ -1,4 +1,3 @@
-//> Let programs compete
 // See contest.h.
 #include "peers/contest.h"
 #include "common/fail.h"
@@ -8,30 +7,27 @@
 // Two ways to round a sum of two squares are no further apart.
 static const double rounding = 1e-15;
 
-//> Lay the points out for both sides
-struct ground ground_over(struct points points)
+struct instance instance_of(struct points points)
 {
-    struct ground ground = {
+    struct instance instance = {
         .points = points,
-        .place = allocate(points.n, sizeof *ground.place),
-        .right2 = allocate(points.n, sizeof *ground.right2),
+        .place = allocate(points.n, sizeof *instance.place),
+        .right2 = allocate(points.n, sizeof *instance.right2),
     };
     for (uint32_t i = 0; i < points.n; i++) {
-        ground.place[i][0] = points.x[i];
-        ground.place[i][1] = points.y[i];
+        instance.place[i][0] = points.x[i];
+        instance.place[i][1] = points.y[i];
     }
-    return ground;
+    return instance;
 }
 
-void ground_free(struct ground *ground)
+void instance_free(struct instance *instance)
 {
-    points_free(&ground->points);
-    free(ground->place);
-    free(ground->right2);
+    points_free(&instance->points);
+    free(instance->place);
+    free(instance->right2);
 }
-//<
 
-//> Take the time of one run
 // The book's programs release what they built while the clock runs, the
 // others afterward.
 struct run {
@@ -39,11 +35,11 @@ struct run {
 };
 
 static struct run run_ours(search_function *search,
-                           const struct ground *ground, int threads,
+                           const struct instance *instance, int threads,
                            struct answers *answers)
 {
     struct question question = {
-        ground->points, {STANDARD, 0, 0}, threads};
+        instance->points, {STANDARD, 0, 0}, threads};
     int64_t start = clock_ns();
     search(&question, answers);
     int64_t end = clock_ns();
@@ -52,33 +48,31 @@ static struct run run_ours(search_function *search,
 }
 
 static struct run run_peer(const struct peer *peer, int leaf,
-                           const struct ground *ground, int threads,
+                           const struct instance *instance, int threads,
                            struct answers *answers)
 {
     int64_t start = clock_ns();
-    void *built = peer->build((const place *)ground->place,
-                              ground->points.n, leaf, threads);
+    void *built = peer->build((const place *)instance->place,
+                              instance->points.n, leaf, threads);
     int64_t ready = clock_ns();
     peer->query(built, threads, answers->nearest, answers->nearest2);
     int64_t end = clock_ns();
     peer->discard(built);
     return (struct run){ready - start, end - ready};
 }
-//<
 
-//> Repeat a run
 // Where there are several trials, one more comes before them, untimed:
-// then nobody pays for being the first.
+// then no program pays for being the first.
 static struct times repeat(const struct program *program, int leaf,
-                           const struct ground *ground, int threads,
+                           const struct instance *instance, int threads,
                            int trials, struct answers *answers)
 {
     double time[3][MOST_TRIALS];
     for (int trial = trials > 1 ? -1 : 0; trial < trials; trial++) {
         struct run run =
             program->search
-                ? run_ours(program->search, ground, threads, answers)
-                : run_peer(program->peer, leaf, ground, threads,
+                ? run_ours(program->search, instance, threads, answers)
+                : run_peer(program->peer, leaf, instance, threads,
                            answers);
         if (trial < 0)
             continue;
@@ -90,17 +84,15 @@ static struct times repeat(const struct program *program, int leaf,
                           summarize(time[1], trials),
                           summarize(time[2], trials)};
 }
-//<
 
-//> Choose the size of a leaf
-int best_leaf(const struct peer *peer, const struct ground *ground,
+int best_leaf(const struct peer *peer, const struct instance *instance,
               struct answers *answers)
 {
     int best = peer->leaf[0];
     double least = INFINITY;
     for (int k = 0; k < LEAVES; k++) {
         struct run run =
-            run_peer(peer, peer->leaf[k], ground, 1, answers);
+            run_peer(peer, peer->leaf[k], instance, 1, answers);
         if (run.build + run.query < least) {
             least = run.build + run.query;
             best = peer->leaf[k];
@@ -108,16 +100,15 @@ int best_leaf(const struct peer *peer, const struct ground *ground,
     }
     return best;
 }
-//<
 
-//> Compare the answers
 // By the distances to the points that were named, computed here: the
 // libraries may have rounded theirs differently, or been compiled to.
 // Returns how many are not the same.
-static uint32_t compare(const char *name, const struct ground *ground,
+static uint32_t compare(const char *name,
+                        const struct instance *instance,
                         const struct answers *answers)
 {
-    const struct points points = ground->points;
+    const struct points points = instance->points;
     uint32_t differ = 0;
     for (uint32_t i = 0; i < points.n; i++) {
         uint32_t j = answers->nearest[i];
@@ -125,20 +116,18 @@ static uint32_t compare(const char *name, const struct ground *ground,
             fail("%s: %u is no neighbor of point %u", name, j, i);
         double found2 = distance2(points.x[j] - points.x[i],
                                   points.y[j] - points.y[i]);
-        double right2 = ground->known ? ground->right2[i] : found2;
+        double right2 = instance->known ? instance->right2[i] : found2;
         if (fabs(found2 - right2) > rounding * right2 ||
             fabs(answers->nearest2[i] - found2) > rounding * found2)
             fail("%s: point %u has a neighbor at %.17g, and not at "
                  "%.17g, said to be %.17g (squared)",
                  name, i, right2, found2, answers->nearest2[i]);
         differ += found2 != right2;
-        ground->right2[i] = right2;
+        instance->right2[i] = right2;
     }
     return differ;
 }
-//<
 
-//> Expect the time for ten times the points
 // Ten times as long, or if it was more than that the last time, so much
 // again. The history holds least times: they are the steadiest.
 static double expect(const struct history *history)
@@ -147,13 +136,13 @@ static double expect(const struct history *history)
         history->before > 0 ? history->last / history->before : 10;
     return history->last * fmax(growth, 10);
 }
-//<
 
 struct result compete(const struct program *program, int leaf,
-                      const struct rules *rules, struct ground *ground,
+                      const struct rules *rules,
+                      struct instance *instance,
                       struct answers *answers, struct history *history)
 {
-    const uint32_t n = ground->points.n;
+    const uint32_t n = instance->points.n;
     struct result result = {.expected = expect(history)};
     history->before = history->last;
     history->last = result.expected;
@@ -163,15 +152,14 @@ struct result compete(const struct program *program, int leaf,
         (int)fmin(rules->trials,
                   fmax(1, rules->patience / fmax(result.expected, 1)));
     result.one =
-        repeat(program, leaf, ground, 1, result.trials, answers);
+        repeat(program, leaf, instance, 1, result.trials, answers);
     history->last = result.one.total.min;
     result.threaded = result.trials > 1 &&
                       (program->search || program->peer->threaded);
     if (result.threaded)
-        result.all = repeat(program, leaf, ground, rules->threads,
+        result.all = repeat(program, leaf, instance, rules->threads,
                             result.trials, answers);
-    result.differ = compare(program->name, ground, answers);
-    ground->known = true;
+    result.differ = compare(program->name, instance, answers);
+    instance->known = true;
     return result;
 }
-//<

@@ -1,6 +1,5 @@
-//> Declare the contest
 // Programs of this book and of others find all nearest neighbors of the
-// same points. The answers are compared, and building and asking are
+// same points. The answers are compared, and building and querying are
 // timed apart. A program that would take too long, judging by its times
 // for fewer points, is not run.
 #pragma once
@@ -15,18 +14,18 @@ struct program {
     const struct peer *peer; // one of the others
 };
 
-// Points, as both sides like them, and the squared distances to their
-// neighbors, once somebody has found them.
-struct ground {
+// A problem: the points in both layouts, and the squared distances to
+// their neighbors, once a program has found them.
+struct instance {
     struct points points;
     place *place;
     double *right2;
     bool known;
 };
 
-// Takes the points over. Released with ground_free.
-struct ground ground_over(struct points points);
-void ground_free(struct ground *ground);
+// Takes the points over. Released with instance_free.
+struct instance instance_of(struct points points);
+void instance_free(struct instance *instance);
 
 enum { MOST_TRIALS = 100 };
 
@@ -47,8 +46,8 @@ struct times {
     struct summary build, query, total; // ns
 };
 
-// One trial is a try; only those who get more of them also run with all
-// threads.
+// One trial is a try; only programs that get more of them also run with
+// all threads.
 struct result {
     double expected;       // ns, judging by the history; 0: unknown
     int trials;            // 0: not run, and the rest is not set
@@ -57,13 +56,14 @@ struct result {
     uint32_t differ;       // answers not the same to the last bit
 };
 
-// The size of a leaf that makes a peer fastest on this ground.
-int best_leaf(const struct peer *peer, const struct ground *ground,
+// The size of a leaf that makes a peer fastest on this instance.
+int best_leaf(const struct peer *peer, const struct instance *instance,
               struct answers *answers);
 
-// Ends the program if an answer is wrong by more than rounding. Who
-// comes first says what is right; the answers are overwritten.
+// Ends the program if an answer is wrong by more than rounding. The
+// program that comes first says what is right; the answers are
+// overwritten.
 struct result compete(const struct program *program, int leaf,
-                      const struct rules *rules, struct ground *ground,
+                      const struct rules *rules,
+                      struct instance *instance,
                       struct answers *answers, struct history *history);
-//<

@@ -1,4 +1,3 @@
-//> Ask FLANN
 // The library of Muja and Lowe, known for approximate answers in many
 // dimensions; for few and exact ones it has a single k-d tree, which
 // copies the points in the order of its leaves. It asks all points by
@@ -30,7 +29,6 @@ void *build(const place *point, uint32_t n, int leaf, int)
     return made;
 }
 
-//> Let FLANN answer
 void query(void *made, int threads, uint32_t *nearest, double *nearest2)
 {
     built &here = *static_cast<built *>(made);
@@ -48,7 +46,6 @@ void query(void *made, int threads, uint32_t *nearest, double *nearest2)
         nearest2[i] = distance2[i][best];
     }
 }
-//<
 
 void discard(void *made)
 {
@@ -59,4 +56,3 @@ void discard(void *made)
 const struct peer peer_flann = {"FLANN", FLANN_VERSION_, {4, 8, 16, 32},
                                 true,    build,          query,
                                 discard};
-//<

@@ -1,4 +1,3 @@
-//> Ask nanoflann
 // A k-d tree in one header (Blanco and Rai, 2014), made for two
 // dimensions by its templates. Its search takes any receiver of points
 // that has the functions below; ours keeps the best and refuses the
@@ -91,12 +90,9 @@ void discard(void *made)
 }
 } // namespace
 
-//> Spell out the version
 static const char version[] = {'0' + (NANOFLANN_VERSION >> 8),      '.',
                                '0' + (NANOFLANN_VERSION >> 4 & 15), '.',
                                '0' + (NANOFLANN_VERSION & 15),      0};
-//<
 
 const struct peer peer_nanoflann = {
     "nanoflann", version, {8, 16, 32, 64}, true, build, query, discard};
-//<

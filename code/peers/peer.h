@@ -1,4 +1,3 @@
-//> Declare what a peer can do
 // A library by others that finds nearest neighbors, behind four
 // functions, so that all of them can be asked alike and timed apart.
 // The points are where the library likes them best, x beside y. A point
@@ -34,4 +33,3 @@ extern const struct peer peer_nanoflann, peer_cgal, peer_ann,
 #ifdef __cplusplus
 }
 #endif
-//<

@@ -1,13 +1,18 @@
-//> Declare the table of results
-// A row for every program on every ground, all times in ns a point.
-// What was not measured is nan; a program that was not run has the time
-// that was expected.
+// The table of results: a row for every program on every instance, all
+// times in ns a point. What was not measured is nan; a program that was
+// not run has the time that was expected.
 #pragma once
 #include "peers/contest.h"
-#include <stdio.h>
 
-void print_columns(FILE *out);
-void print_result(FILE *out, const char *program, const char *kind,
-                  uint32_t n, const char *order, int leaf,
+extern const char result_columns[]; // as columns() wants them
+
+// Which program, on how many points, of which kind, in which order, and
+// with leaves of which size.
+struct entry {
+    const char *program, *kind, *order;
+    uint32_t n;
+    int leaf;
+};
+
+void print_result(const struct entry *entry,
                   const struct result *result);
-//<

@@ -1,4 +1,3 @@
-//> Put the points into strips
 // See strips.h.
 #include "peers/strips.h"
 #include "common/fail.h"
@@ -37,4 +36,3 @@ struct points points_in_strips(struct points points)
     free(pair);
     return sorted;
 }
-//<

@@ -1,4 +1,3 @@
-//> Declare the order in strips
 // An order that suits every search and any distribution: the points cut
 // into strips of equally many, from left to right, and each strip
 // sorted from bottom to top. About sqrt(n) strips of sqrt(n) points:
@@ -8,4 +7,3 @@
 
 // The points in this order: a copy, to be released with points_free.
 struct points points_in_strips(struct points points);
-//<

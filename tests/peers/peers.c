@@ -1,8 +1,6 @@
 // The contest with other libraries, without any of them: peers made up
 // here that are slow, wrong or sorry.
-#include "algorithms.h"
-#include "common/fail.h"
-#include "common/generate.h"
+#include "common/experiment.h"
 #include "harness.h"
 #include "peers/contest.h"
 #include "peers/results.h"
@@ -77,9 +75,9 @@ static struct peer pairs_peer = {
 
 static const struct rules rules = {1e9, 1e9, 3, 2};
 
-static struct ground some_ground(const char *kind, uint32_t n)
+static struct instance some_instance(const char *kind, uint32_t n)
 {
-    return ground_over(generate(find_distribution(kind), n, 5));
+    return instance_of(generate(find_distribution(kind), n, 5));
 }
 
 static struct program ours(void)
@@ -92,7 +90,7 @@ static void same_answers(void)
 {
     static const char *const kinds[] = {"uniform", "lattice", "equal"};
     for (int k = 0; k < 3; k++) {
-        struct ground ground = some_ground(kinds[k], 300);
+        struct instance instance = some_instance(kinds[k], 300);
         struct answers answers = answers_for(300, NEAREST);
         struct history history[2] = {{0}};
         struct program programs[2] = {ours(),
@@ -100,11 +98,11 @@ static void same_answers(void)
         for (int p = 0; p < 2; p++) {
             queries = most_threads = 0;
             struct result result =
-                compete(&programs[p], 4, &rules, &ground, &answers,
+                compete(&programs[p], 4, &rules, &instance, &answers,
                         &history[p]);
             CHECK_INT(3, result.trials, "%s: trials", kinds[k]);
             CHECK_INT(0, result.differ, "%s: differ", kinds[k]);
-            CHECK(ground.known, "%s: ground", kinds[k]);
+            CHECK(instance.known, "%s: ground", kinds[k]);
             CHECK(result.threaded, "%s: threads", kinds[k]);
             CHECK(result.one.total.median > 0, "%s: time", kinds[k]);
             CHECK_DOUBLE(result.one.total.min, history[p].last,
@@ -113,69 +111,70 @@ static void same_answers(void)
         CHECK_INT(8, queries, "one to warm up and three, twice");
         CHECK_INT(2, most_threads, "most threads");
         answers_free(&answers);
-        ground_free(&ground);
+        instance_free(&instance);
     }
 }
 
 static void every_leaf(void)
 {
-    struct ground ground = some_ground("uniform", 50);
+    struct instance instance = some_instance("uniform", 50);
     struct answers answers = answers_for(50, NEAREST);
     leaves_seen = 0;
-    int leaf = best_leaf(&pairs_peer, &ground, &answers);
+    int leaf = best_leaf(&pairs_peer, &instance, &answers);
     CHECK_INT(1 + 2 + 4 + 8, leaves_seen, "sum of the sizes tried");
     CHECK(leaf == 1 || leaf == 2 || leaf == 4 || leaf == 8,
           "a leaf of %d", leaf);
     answers_free(&answers);
-    ground_free(&ground);
+    instance_free(&instance);
 }
 
 // One thread at a time; and a single trial when patience is short.
 static void few_trials(void)
 {
-    struct ground ground = some_ground("uniform", 100);
+    struct instance instance = some_instance("uniform", 100);
     struct answers answers = answers_for(100, NEAREST);
     struct peer alone = pairs_peer;
     alone.threaded = false;
     struct program program = {"alone", NULL, &alone};
     struct history history = {0};
     struct result result =
-        compete(&program, 1, &rules, &ground, &answers, &history);
+        compete(&program, 1, &rules, &instance, &answers, &history);
     CHECK(!result.threaded, "asked with several threads");
     struct rules hasty = rules;
     hasty.patience = 1;
     program.peer = &pairs_peer;
     history = (struct history){10, 1};
-    result = compete(&program, 1, &hasty, &ground, &answers, &history);
+    result =
+        compete(&program, 1, &hasty, &instance, &answers, &history);
     CHECK_INT(1, result.trials, "trials of the hasty");
     CHECK(!result.threaded, "the hasty ask with all threads");
     answers_free(&answers);
-    ground_free(&ground);
+    instance_free(&instance);
 }
 
 // A hundredfold the last time: expected again, and too long.
 static void not_run(void)
 {
-    struct ground ground = some_ground("uniform", 100);
+    struct instance instance = some_instance("uniform", 100);
     struct answers answers = answers_for(100, NEAREST);
     struct program program = {"pairs", NULL, &pairs_peer};
     struct history history = {.last = 2e9, .before = 2e7};
     queries = 0;
     struct result result =
-        compete(&program, 1, &rules, &ground, &answers, &history);
+        compete(&program, 1, &rules, &instance, &answers, &history);
     CHECK_INT(0, result.trials, "trials");
     CHECK_INT(0, queries, "queries");
-    CHECK(!ground.known, "nobody has found anything");
+    CHECK(!instance.known, "no program has found anything");
     CHECK_NEAR(2e11, result.expected, 1, "expected");
     CHECK_NEAR(2e11, history.last, 1, "history");
     CHECK_NEAR(2e9, history.before, 1, "history before");
     answers_free(&answers);
-    ground_free(&ground);
+    instance_free(&instance);
 }
 
 static void ask_wrongly(void *query)
 {
-    struct ground ground = some_ground("uniform", 100);
+    struct instance instance = some_instance("uniform", 100);
     struct answers answers = answers_for(100, NEAREST);
     struct peer peer = pairs_peer;
     peer.query = *(void (**)(void *, int, uint32_t *, double *))query;
@@ -183,8 +182,8 @@ static void ask_wrongly(void *query)
     struct history history[2] = {{0}};
     struct rules alone = rules;
     alone.threads = 1; // a forked process cannot start others
-    compete(&right, 0, &alone, &ground, &answers, &history[0]);
-    compete(&wrong, 1, &alone, &ground, &answers, &history[1]);
+    compete(&right, 0, &alone, &instance, &answers, &history[0]);
+    compete(&wrong, 1, &alone, &instance, &answers, &history[1]);
 }
 
 static void wrong_answers(void)
@@ -244,23 +243,29 @@ static void table(void)
 {
     char *text;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    print_columns(out);
+    FILE *kept = stdout;
+    stdout = open_memstream(&text, &size);
+    char *arguments[] = {"compare"};
+    columns(&(struct experiment){1, 1, arguments}, result_columns);
+    struct entry ran = {"row-spans", "uniform", "coming", 100, 8};
     struct result result = {.trials = 3, .threaded = true};
     result.one.total = (struct summary){1, 200, 300, 400, 5};
-    print_result(out, "row-spans", "uniform", 100, "coming", 8,
-                 &result);
+    print_result(&ran, &result);
+    struct entry skipped = {"ANN", "kuzmin", "ordered", 10, 4};
     result = (struct result){.expected = 12345};
-    print_result(out, "ANN", "kuzmin", 10, "ordered", 4, &result);
-    fclose(out);
-    const char *first = strchr(text, '\n') + 1;
+    print_result(&skipped, &result);
+    fclose(stdout);
+    stdout = kept;
+    const char *head = strstr(text, "\nname\t") + 1;
+    const char *first = strchr(head, '\n') + 1;
     const char *second = strchr(first, '\n') + 1;
-    CHECK_INT(cells_in(text), cells_in(first), "cells of a row");
-    CHECK_INT(cells_in(text), cells_in(second), "of one not run");
-    static const char row[] =
+    CHECK_INT(cells_in(head), cells_in(first), "cells of a row");
+    CHECK_INT(cells_in(head), cells_in(second), "of one not run");
+    static const char expected[] =
         "row_spans_uniform_100_coming\trow-spans\tuniform\t100\tcoming"
         "\t8\t3\t0\t0\t0\t0\t0\t0\t3\t2\t4\t";
-    CHECK(strncmp(first, row, strlen(row)) == 0, "found: %s", first);
+    CHECK(strncmp(first, expected, strlen(expected)) == 0, "found: %s",
+          first);
     CHECK(strstr(second, "\t4\t0\tnan\t") &&
               strstr(second, "\t1234\t0"),
           "found: %s", second);
