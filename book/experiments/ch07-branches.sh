@@ -12,18 +12,18 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # For a processor that valgrind knows.
 ${CC:-gcc} -std=c17 -O3 -march=haswell -ffp-contract=off -fopenmp \
-    -D_GNU_SOURCE -Icode -o "$room/one_search" \
-    code/ch07-spiral/experiments/one_search.c \
-    code/ch07-spiral/spiral.c \
-    code/ch04-cell-sort/*.c code/common/*.c -lm
+    -D_GNU_SOURCE -Icode -o "$room/near" \
+    code/near/*.c code/*.c code/ch*/*.c code/common/*.c -lm
 "$BUILD/ch07/expect" | sed -n '/^#/{s/-march=[^ ]*/-march=haswell/; s/ -Werror//; p}'
 printf 'name\tn\tinstructions\tbranches\twrong\n'
-for search in blocks:cells_indices together:cells_batched spiral:spiral; do
+for search in blocks:cells-indices:cells_indices \
+    together:cells:cells_batched spiral:spiral:spiral; do
     name=${search%%:*}
-    OMP_NUM_THREADS=1 valgrind --tool=callgrind --branch-sim=yes \
+    algorithm=${search#*:}
+    OMP_WAIT_POLICY=passive valgrind --tool=callgrind --branch-sim=yes \
         --callgrind-out-file="$room/out" \
         --toggle-collect="${search##*:}" \
-        "$room/one_search" "$name" "$n" 2>"$room/log" >/dev/null
+        "$room/near" -n "$n" -a "${algorithm%:*}" -t 1 2>"$room/log" >/dev/null
     awk -v name="$name" -v n="$n" '/^events:/ {
             for (k = 2; k <= NF; k++) at[$k] = k }
         /^(summary|totals):/ && !done { done = 1

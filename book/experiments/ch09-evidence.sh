@@ -21,12 +21,13 @@ ${CC:-cc} -std=c17 -O3 -march=x86-64-v3 -ffp-contract=off -fopenmp \
     code/ch09-row-spans/experiments/steps.c code/algorithms.c \
     code/ch*/[a-z]*.c code/common/[a-z]*.c -lm \
     2>"$folder/errors" || committed "the program does not compile for AVX2"
-# Each step runs twice: once to warm up, once on the clock.
-one() { # name function
+# Each step runs once to warm up, once on the clock, and once for the
+# distances of each row of the table that it is counted for.
+one() { # name function runs
     valgrind --tool=callgrind --branch-sim=yes --toggle-collect="$2" \
         --callgrind-out-file="$folder/out" "$folder/steps" "$points" 1 \
         >/dev/null 2>"$folder/log" || return 1
-    awk -v name="$1" -v n="$((2 * points))" '
+    awk -v name="$1" -v n="$(($3 * points))" '
         $1 == "events:" { for (k = 2; k <= NF; k++) at[$k] = k }
         $1 == "totals:" {
             printf "%s\t%.4g\t%.4g\t%.3g\n", name, $at["Ir"] / n,
@@ -35,7 +36,7 @@ one() { # name function
 }
 parts() {
     callgrind_annotate --threshold=100 "$folder/out" |
-        awk -v n="$((2 * points))" '
+        awk -v n="$((3 * points))" '
         function add(name) { gsub(",", "", $1); sum[name] += $1 }
         /:nearest \[/ { add("kernel") }
         /:stag(e|ing_open) \[/ { add("staging") }
@@ -51,11 +52,11 @@ table() {
     echo "# flags: -std=c17 -O3 -march=x86-64-v3 -ffp-contract=off -fopenmp"
     echo "# date: $(date '+%Y-%m-%d %H:%M')"
     printf 'name\tinstructions\tbranches\tmispredicted\n'
-    one counted_spans by_spans &&
-        one counted_vectors by_vectors &&
-        one counted_pruned by_skipping &&
-        one counted_four by_four &&
-        one counted_batches by_sifting && parts
+    one counted_spans by_spans 3 &&
+        one counted_vectors by_vectors 5 &&
+        one counted_pruned by_skipping 3 &&
+        one counted_four by_four 3 &&
+        one counted_batches by_sifting 3 && parts
 }
 table >"$folder/table" || committed "valgrind does not run here"
 cat "$folder/table"

@@ -186,7 +186,13 @@ struct answers *new_answers(uint32_t n, unsigned given)
     return answers;
 }
 
-void run_search(void *context)
+struct search {
+    search_function *search;
+    struct question question;
+    struct answers *answers;
+};
+
+static void run_search(void *context)
 {
     struct search *search = context;
     search->search(&search->question, search->answers);

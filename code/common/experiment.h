@@ -17,7 +17,6 @@
 //         time_in_turn(trials, versions, 2);
 //         columns(&e, "name n naive_ns:3 tiles_ns:3");
 //         row_of_times(versions, 2, n, "points_%u\t%u", n, n);
-//         return 0;
 //     }
 //
 // The driver owns the memory of questions, answers and trials. What
@@ -38,6 +37,8 @@
 // More points, rows or trials than anybody waits for, and few enough
 // for an int.
 enum { MANY = 1000000000 };
+
+#define COUNT_OF(array) ((int)(sizeof(array) / sizeof *(array)))
 
 struct experiment {
     int argc, next; // the argument to be read next
@@ -101,14 +102,7 @@ struct question uniform_question(enum geometry geometry, uint32_t n,
 enum { BOTH = NEAREST | FURTHEST };
 struct answers *new_answers(uint32_t n, unsigned given);
 
-// A whole search, to be timed, of the question as it is now; the
-// context of run_search is a struct search.
-struct search {
-    search_function *search;
-    struct question question;
-    struct answers *answers;
-};
-void run_search(void *context);
+// A whole search, to be timed, of the question as it is now.
 struct trial search_trial(search_function *search,
                           const struct question *question,
                           struct answers *answers);

@@ -1,9 +1,7 @@
 // All nearest neighbors of the same points by the programs of this book
 // and by four libraries, one thread and all; the points as they come,
 // and in an order that suits every search.
-//
 //     compare [LARGEST [TRIALS [SECONDS]]]
-//
 // for 1,000, 10,000, ... LARGEST points, with so many trials, three
 // times as many for few points, and fewer where a program would be at
 // it for more than so many SECONDS.
@@ -29,11 +27,11 @@ static const struct peer *const peers[] = {&peer_nanoflann, &peer_cgal,
 static const char *const kinds[] = {"uniform", "clustered", "kuzmin"};
 static const char *const orders[] = {"coming", "ordered"};
 enum {
-    OURS = sizeof ours / sizeof *ours,
-    PEERS = sizeof peers / sizeof *peers,
+    OURS = COUNT_OF(ours),
+    PEERS = COUNT_OF(peers),
     PROGRAMS = OURS + PEERS,
-    KINDS = sizeof kinds / sizeof *kinds,
-    ORDERS = sizeof orders / sizeof *orders
+    KINDS = COUNT_OF(kinds),
+    ORDERS = COUNT_OF(orders)
 };
 
 // A program and what is known of it from fewer points.
@@ -126,5 +124,4 @@ int main(int argc, char **argv)
                               .threads = omp_get_num_procs()};
         compete_for(n, &rules, contenders);
     }
-    return 0;
 }

@@ -20,5 +20,4 @@ int main(int argc, char **argv)
                    sqrt(closest2(wrapped, x - px, y - py)),
                    sqrt(furthest2(wrapped, x - px, y - py)));
         }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // One query point asks a hundred thousand points for their distance,
 // and counts those within a radius: the same loop over three layouts of
 // the points, and once more with a square root in it.
-//
 //     layout [POINTS [TRIALS]]
 #include "common/experiment.h"
 
@@ -109,5 +108,4 @@ int main(int argc, char **argv)
                  sizeof(struct place));
     row_of_times(&versions[2], 1, n, "arrays\t%zu", array);
     row_of_times(&versions[3], 1, n, "root\t%zu", array);
-    return 0;
 }

@@ -1,5 +1,4 @@
 // Prints the points of all generators, one after the other.
-//
 //     portraits [POINTS]
 #include "common/experiment.h"
 
@@ -15,5 +14,4 @@ int main(int argc, char **argv)
                    points.x[i], points.y[i]);
         points_free(&points);
     }
-    return 0;
 }

@@ -2,7 +2,6 @@
 // of points: how many distances change when a product and a sum are
 // contracted to one operation, and how many squared distances have the
 // same square root as the next larger double.
-//
 //     rounding [POINTS]
 #include "common/experiment.h"
 
@@ -41,5 +40,4 @@ int main(int argc, char **argv)
     row("all\t%ju", (uintmax_t)all);
     row("contracted\t%ju", (uintmax_t)contracted);
     row("blind\t%ju", (uintmax_t)blind);
-    return 0;
 }

@@ -1,6 +1,5 @@
 // Times one sweep over the points again and again, and prints what the
 // times come to, the clock's smallest step, and every time in order.
-//
 //     trials [TRIALS]
 #include "common/experiment.h"
 
@@ -66,5 +65,4 @@ int main(int argc, char **argv)
     for (int trial = 0; trial < trials; trial++)
         row("trial\t%d\t%.0f", trial + 1, times[trial]);
     print_summary(times, trials);
-    return 0;
 }

@@ -1,6 +1,5 @@
 // The last version with blocks of 16, 32, ... candidates: small ones
 // are noted too often, large ones take long to search again.
-//
 //     block-size [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
@@ -39,5 +38,4 @@ int main(int argc, char **argv)
     for (int s = 0; s < SIZES; s++)
         row_of_times(&versions[s], 1, (double)rows * (n - 1),
                      "block_%u\t%u", sizes[s].block, sizes[s].block);
-    return 0;
 }

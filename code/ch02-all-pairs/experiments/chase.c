@@ -2,7 +2,6 @@
 // before: every line holds the number of the next, and all lines are on
 // one cycle in random order. Prints nanoseconds a step for 64 to LINES
 // lines, once packed together, and once on a page of their own each.
-//
 //     chase [LINES [STEPS [TRIALS]]]
 #include "common/experiment.h"
 #include <sys/mman.h>
@@ -81,5 +80,4 @@ int main(int argc, char **argv)
         }
         row_end();
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // All steps of the ladder in turn, in both geometries, and among them
 // the vector units' peaks: what the steps achieve and what could be
 // achieved, measured in one run.
-//
 //     climb [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/experiments/peak.h"
 #include "ch02-all-pairs/experiments/rows.h"
@@ -57,5 +56,4 @@ int main(int argc, char **argv)
         row_of_times(&versions[v], 2, (double)rows * (n - 1), "%s",
                      steps[v / 2].name);
     print_limits(versions + climbed);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // The same loop with a pointer, with a flag, and as a copy for each
 // geometry; once as the coursework has it, once over lanes. ROWS is
 // rounded down to a multiple of sixteen, as many as the lanes.
-//
 //     dispatch [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/experiments/choices.h"
 #include "ch02-all-pairs/experiments/rows.h"
@@ -34,5 +33,4 @@ int main(int argc, char **argv)
     for (int w = 0; w < WAYS; w++)
         row_of_times(&versions[w * EACH], EACH, (double)rows * n, "%s",
                      names[w]);
-    return 0;
 }

@@ -1,6 +1,5 @@
 // Nearest and furthest distances of uniform points in both geometries:
 // their means over several sets of points, or their histograms.
-//
 //     distances means|histogram [POINTS [SETS]]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
@@ -117,5 +116,4 @@ int main(int argc, char **argv)
         print_means(&c, sets);
     else
         print_histograms(&c);
-    return 0;
 }

@@ -2,7 +2,6 @@
 // uniform points, in units of 1 / (2 sqrt n). Small sets are repeated
 // until a set and its repetitions have about as many points as the
 // largest.
-//
 //     growth [MOST]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
@@ -35,5 +34,4 @@ int main(int argc, char **argv)
         row("mean_%u\t%u\t%.5g\t%.5g", n, n, bounded / sets,
             wrapped / sets);
     }
-    return 0;
 }

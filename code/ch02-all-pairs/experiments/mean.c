@@ -2,7 +2,6 @@
 // running mean corrected by its difference, and a sum at the end. How
 // long each takes per point, and how far it is from the sum in higher
 // precision.
-//
 //     mean [POINTS [TRIALS]]
 #include "ch02-all-pairs/tiles.h"
 #include "common/experiment.h"
@@ -67,7 +66,7 @@ static const struct {
     void (*work)(void *);
 } ways[] = {
     {"running", running}, {"corrected", corrected}, {"summed", summed}};
-enum { WAYS = sizeof ways / sizeof *ways };
+enum { WAYS = COUNT_OF(ways) };
 
 int main(int argc, char **argv)
 {
@@ -95,5 +94,4 @@ int main(int argc, char **argv)
         row_cells("\t%.3g", fabs(samples[w].mean - exact) / exact);
         row_end();
     }
-    return 0;
 }

@@ -2,7 +2,6 @@
 // processor would do: nothing is timed, nothing is printed. If QUARTER
 // is 1, all points lie in a quarter of the box, the direct way is
 // always shorter, and no decision of in_wraparound can surprise.
-//
 //     once [GEOMETRY [POINTS [ROWS [QUARTER]]]]
 #include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/ladder.h"
@@ -19,5 +18,4 @@ int main(int argc, char **argv)
     struct answers *answers = new_answers(n, BOTH);
     for (int step = 0; step < step_count; step++)
         steps[step].rows(&question, answers, 0, rows);
-    return 0;
 }

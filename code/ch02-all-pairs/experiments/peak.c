@@ -115,7 +115,7 @@ double peak_limit(const double ns[static PEAKS], struct bill bill)
         (bill.adds + products + bill.minima) * fastest,
     };
     double limit = 0;
-    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++)
+    for (int k = 0; k < COUNT_OF(bounds); k++)
         limit = fmax(limit, bounds[k]);
     return limit;
 }

@@ -1,6 +1,5 @@
 // The coursework's search, with three ways to square. The experiment
 // compiles this program twice, with and without optimization.
-//
 //     pow [POINTS [TRIALS]]
 #include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/first.h"
@@ -49,5 +48,4 @@ int main(int argc, char **argv)
     for (int v = 0; v < 3; v++)
         row_of_times(&versions[v], 1, (double)n * (n - 1), "%s_%s",
                      names[v], LEVEL);
-    return 0;
 }

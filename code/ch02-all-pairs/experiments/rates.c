@@ -1,5 +1,4 @@
 // Nanoseconds an operation on one double, by kind, and a clock cycle.
-//
 //     rates [TRIALS]
 #include "ch02-all-pairs/experiments/peak.h"
 
@@ -14,5 +13,4 @@ int main(int argc, char **argv)
     for (int peak = 0; peak < PEAKS; peak++)
         row_of_times(&versions[peak], 1, peak_operations(peak), "%s",
                      peak_names[peak]);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // One query that meets eight candidates at once, against eight queries
 // that meet one: how the time of a pair depends on where the points
 // fit, in the caches or beyond.
-//
 //     sizes [MOST [PAIRS [TRIALS]]]
 #include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/ladder.h"
@@ -27,5 +26,4 @@ int main(int argc, char **argv)
                      "n_%u\t%u\t%u", n, n, n / 64);
         forget();
     }
-    return 0;
 }

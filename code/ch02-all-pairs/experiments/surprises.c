@@ -2,7 +2,6 @@
 // split and blocks in the wraparound geometry, on points in the whole
 // box and on the same points pressed into a quarter of it, where the
 // direct way is always the shorter one.
-//
 //     surprises [POINTS [ROWS [TRIALS]]]
 #include "ch02-all-pairs/experiments/rows.h"
 #include "ch02-all-pairs/ladder.h"
@@ -26,5 +25,4 @@ int main(int argc, char **argv)
     const double pairs = (double)rows * (n - 1);
     row_of_times(&versions[0], 2, pairs, "split");
     row_of_times(&versions[2], 2, pairs, "blocks");
-    return 0;
 }

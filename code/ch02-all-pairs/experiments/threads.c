@@ -1,6 +1,5 @@
 // The plain search and the last version on 1, 2, 4, ... threads, up to
 // as many as there are processors.
-//
 //     threads [POINTS [TRIALS]]
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/tiles.h"
@@ -43,5 +42,4 @@ int main(int argc, char **argv)
                                       : name,
                      threads[k], n);
     }
-    return 0;
 }

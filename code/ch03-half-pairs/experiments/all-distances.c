@@ -30,11 +30,10 @@ int main(void)
 {
     const double n = 1e5;
     row("%-26s %5s %6s %6s", "", "bytes", "GB", "GiB");
-    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++) {
+    for (int t = 0; t < COUNT_OF(tables); t++) {
         double count = tables[t].triangle ? n * (n - 1) / 2 : n * n;
         double bytes = count * tables[t].size;
         row("%-26s %5zu %6.1f %6.1f", tables[t].layout, tables[t].size,
             bytes / 1e9, bytes / (1 << 30));
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Two threads, each with a counter of its own that only it changes. The
 // counters lie 8 to 256 bytes apart: where they share a cache line, the
 // line has to travel.
-//
 //     false-sharing [STEPS [TRIALS]]
 #include "common/experiment.h"
 #include <stdatomic.h>
@@ -51,5 +50,4 @@ int main(int argc, char **argv)
     for (int d = 0; d < DISTANCES; d++)
         row_of_times(&turns[d], 1, steps, "apart_%d\t%d", 8 << d,
                      8 << d);
-    return 0;
 }

@@ -1,6 +1,5 @@
 // The triangular loop under each guard, on one thread and on all
 // processors.
-//
 //     guards [POINTS [TRIALS]]
 #include "ch03-half-pairs/experiments/compare.h"
 #include "ch03-half-pairs/guarded.h"
@@ -14,7 +13,6 @@ static const struct version guards[] = {
     {"atomic", triangle_atomic, triangle_atomic},
     {"reduction", triangle_reduction, triangle_reduction},
 };
-enum { GUARDS = sizeof guards / sizeof *guards };
 
 int main(int argc, char **argv)
 {
@@ -23,6 +21,5 @@ int main(int argc, char **argv)
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     columns(&e, "name n threads one_ns:3 all_ns:3");
-    compare(&question, trials, guards, GUARDS, "");
-    return 0;
+    compare(&question, trials, guards, COUNT_OF(guards), "");
 }

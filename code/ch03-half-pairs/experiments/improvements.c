@@ -2,7 +2,6 @@
 // one thread: points at random, and houses along a street. Beside the
 // counts stands what is expected at random, the sum of 1/k for k from 1
 // to n-1.
-//
 //     improvements [LARGEST]
 #include "ch02-all-pairs/pair.h"
 #include "common/experiment.h"
@@ -10,15 +9,9 @@
 // How many of the two bests of a point a pair improves.
 static int improve(double *near2, double *far2, double distance2)
 {
-    int improved = 0;
-    if (distance2 < *near2) {
-        *near2 = distance2;
-        improved++;
-    }
-    if (distance2 > *far2) {
-        *far2 = distance2;
-        improved++;
-    }
+    int improved = (distance2 < *near2) + (distance2 > *far2);
+    *near2 = fmin(*near2, distance2);
+    *far2 = fmax(*far2, distance2);
     return improved;
 }
 
@@ -58,5 +51,4 @@ int main(int argc, char **argv)
         row("%6u %16.2f %10.2f %16.2f", n, uniform, expected, street);
         forget();
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Which part of the triangle's pairs falls to each thread, under static
 // schedules with smaller and larger chunks. Nothing is timed: a static
 // schedule depends on the numbers of rows and threads only.
-//
 //     load [POINTS [THREADS]]
 #include "common/experiment.h"
 
@@ -41,5 +40,4 @@ int main(int argc, char **argv)
         row("thread_%d\t%d\t%.4f\t%.4f\t%.4f", t + 1, t + 1,
             pairs[t] / all, pairs[threads + t] / all,
             pairs[2 * threads + t] / all);
-    return 0;
 }

@@ -3,7 +3,6 @@
 // answers, unguarded. A data race, on purpose; chapter 5 has the only
 // other one in this book. Prints how many answers came out wrong, for
 // up to LARGEST points in two arrangements.
-//
 //     lost-updates [RUNS [LARGEST]]
 #include "ch03-half-pairs/triangle.h"
 #include "common/experiment.h"
@@ -79,5 +78,4 @@ int main(int argc, char **argv)
         race("street", question, runs);
         forget();
     }
-    return 0;
 }

@@ -1,6 +1,5 @@
 // The triangular loop with private answers, its rows handed out under
 // each of OpenMP's schedules with smaller and larger chunks.
-//
 //     schedules [POINTS [TRIALS]]
 #include "ch03-half-pairs/private.h"
 #include "common/experiment.h"
@@ -56,5 +55,4 @@ int main(int argc, char **argv)
         row_of_times(&turns[k], 1, n * (n - 1.0), "%s\t%u\t%d\t%d",
                      schedules[k].name, n, question.threads,
                      schedules[k].chunk);
-    return 0;
 }

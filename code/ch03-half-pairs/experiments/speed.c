@@ -1,6 +1,5 @@
 // Both geometries, all pairs and half the pairs, one thread and all
 // processors; and beside them the last versions of both chapters.
-//
 //     speed [POINTS [TRIALS]]
 #include "ch02-all-pairs/naive.h"
 #include "ch02-all-pairs/tiles.h"
@@ -17,7 +16,6 @@ static const struct version versions[] = {
     {"tiles", tiles, tiles},
     {"half_tiles", triangle_tiles, triangle_tiles},
 };
-enum { VERSIONS = sizeof versions / sizeof *versions };
 
 int main(int argc, char **argv)
 {
@@ -26,8 +24,9 @@ int main(int argc, char **argv)
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
     columns(&e, "name n threads serial_ns:3 parallel_ns:3");
-    compare(&question, trials, versions, VERSIONS, "standard_");
+    compare(&question, trials, versions, COUNT_OF(versions),
+            "standard_");
     question.space.geometry = WRAPAROUND;
-    compare(&question, trials, versions, VERSIONS, "wraparound_");
-    return 0;
+    compare(&question, trials, versions, COUNT_OF(versions),
+            "wraparound_");
 }

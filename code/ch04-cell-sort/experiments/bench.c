@@ -62,7 +62,7 @@ struct bench bench_make(struct question question, double c)
 
 struct trial bench_trial(struct bench *bench, const char *name)
 {
-    for (size_t k = 0; k < sizeof searches / sizeof *searches; k++)
+    for (int k = 0; k < COUNT_OF(searches); k++)
         if (strcmp(searches[k].name, name) == 0)
             return (struct trial){searches[k].work, bench};
     fail("there is no search called %s", name);

@@ -2,7 +2,6 @@
 // where each cell begins: k widths from the start, by dividing by the
 // width, by multiplying with the number of cells, and by the axis that
 // has searched for it.
-//
 //     borders [MOST]
 #include "ch04-cell-sort/grid.h"
 #include "common/experiment.h"
@@ -29,5 +28,4 @@ int main(int argc, char **argv)
         "in the wrong cell, x * cells          %8ju\n"
         "in the wrong cell, the axis's borders %8ju",
         borders, divided, multiplied, exact);
-    return 0;
 }

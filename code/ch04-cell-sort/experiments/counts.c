@@ -2,7 +2,6 @@
 // distances computed for each point, and the share of wrong neighbors
 // if the search does not test; expected and counted, the last with
 // wraparound, where there is no border.
-//
 //     counts [POINTS [SETS]]
 #include "ch04-cell-sort/experiments/nine_cells.h"
 #include "ch04-cell-sort/experiments/poisson.h"
@@ -54,7 +53,7 @@ int main(int argc, char **argv)
         &e,
         "name c cells_expected cells cells_wrapped distances_expected "
         "distances distances_wrapped wrong_expected wrong points");
-    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+    for (int k = 0; k < COUNT_OF(sizes); k++) {
         const double c = sizes[k].c, all = (double)n * sets;
         struct sums bounded = add_up(STANDARD, n, sets, c);
         struct sums wrapped = add_up(WRAPAROUND, n, sets, c);
@@ -66,5 +65,4 @@ int main(int argc, char **argv)
             wrapped.counts.distances / all, expected_wrong(c),
             wrapped.wrong / all, all);
     }
-    return 0;
 }

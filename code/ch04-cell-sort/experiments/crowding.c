@@ -1,6 +1,5 @@
 // Distances computed for each point as the points grow in number, for
 // cells that hold two points and for cells that hold sqrt(n).
-//
 //     crowding [MOST]
 #include "ch04-cell-sort/point_by_point.h"
 #include "common/experiment.h"
@@ -25,5 +24,4 @@ int main(int argc, char **argv)
     for (uint32_t n = 100; n <= most; n *= 4)
         row("n_%u\t%u\t%.5g\t%.5g", n, n, distances(n, 2),
             distances(n, sqrt(n)));
-    return 0;
 }

@@ -1,6 +1,5 @@
 // What it costs to build each of three structures over numbers, and to
 // query it for an interval with few or many numbers in it.
-//
 //     intervals [MOST [TRIALS]]
 #include "ch04-cell-sort/line.h"
 #include "common/experiment.h"
@@ -109,5 +108,4 @@ int main(int argc, char **argv)
     columns(&e, "name n build:3 few:3 many:3");
     for (uint32_t n = 10000; n <= most; n *= 10)
         compare_ways(n, trials);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // The same number of cells and distances twice: uniform points, and a
 // lattice with four points in every cell. Whatever takes longer with
 // the first is not the arithmetic. Wraparound, one thread, search only.
-//
 //     lattice [SIDE [TRIALS]]
 #include "ch04-cell-sort/experiments/bench.h"
 #include "ch04-cell-sort/point_by_point.h"
@@ -42,5 +41,4 @@ int main(int argc, char **argv)
                      kinds[k], n, (double)counts.cells / n,
                      (double)counts.distances / n);
     }
-    return 0;
 }

@@ -1,8 +1,6 @@
 // Searches blocks of nine cells without the test, and with it, and
 // prints the first point for which the two differ: the points, the
 // borders, the block that was searched, and both neighbors.
-//
-//     mistaken
 #include "ch04-cell-sort/block.h"
 #include "ch04-cell-sort/experiments/nine_cells.h"
 #include "ch04-cell-sort/point_by_point.h"
@@ -64,5 +62,4 @@ int main(int argc, char **argv)
         sorted_free(&sorted);
         forget();
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // One search over cells, and nothing else, for a simulator of branches
 // and caches: `uniform` points or a `lattice`, C points in a cell, and
 // a search of bench.h.
-//
 //     one_search KIND C SEARCH [POINTS]
 #include "ch04-cell-sort/experiments/bench.h"
 
@@ -17,5 +16,4 @@ int main(int argc, char **argv)
     struct bench bench = bench_make(question, atof(argv[2]));
     struct trial trial = bench_trial(&bench, argv[3]);
     trial.work(trial.context);
-    return 0;
 }

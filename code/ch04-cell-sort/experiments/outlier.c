@@ -1,8 +1,6 @@
 // A hundred thousand points in the unit square, and one of them far out
 // of it: how many cells there are if the side of a cell is fixed, and
 // how many if the number of points in a cell is.
-//
-//     outlier
 #include "ch04-cell-sort/grid.h"
 #include "common/experiment.h"
 
@@ -21,5 +19,4 @@ int main(int argc, char **argv)
             cells * sizeof(uint32_t) / 1e9, grid_cells(&grid));
         grid_free(&grid);
     }
-    return 0;
 }

@@ -1,8 +1,6 @@
 // Sorts a few points into cells and prints, for every place of the
 // sorted order, the point, its coordinates, its cell and its column and
 // row; then the borders of the grid.
-//
-//     portrait
 #include "ch04-cell-sort/cells.h"
 #include "common/experiment.h"
 
@@ -40,5 +38,4 @@ int main(int argc, char **argv)
             k, cells.start[k]);
     }
     print_cells(&grid, cells.start);
-    return 0;
 }

@@ -3,7 +3,6 @@
 // nine cells is replayed; its branches (is there another point? is it
 // the query? is it nearer?) go to predictors that each keep a table of
 // two-bit counters, found by the branch and the last outcomes.
-//
 //     predictor [SIDE]
 #include "ch04-cell-sort/block.h"
 #include "ch04-cell-sort/sorted.h"
@@ -120,5 +119,4 @@ int main(int argc, char **argv)
         }
         row_end();
     }
-    return 0;
 }

@@ -1,6 +1,5 @@
 // The best program of chapter 2 and those of this chapter, both
 // geometries, one thread, in turn; sorting included.
-//
 //     race [POINTS [TRIALS]]
 #include "ch02-all-pairs/tiles.h"
 #include "ch04-cell-sort/batches.h"
@@ -21,7 +20,6 @@ static const struct {
     {"by_lists", cells_lists},   {"by_indices", cells_indices},
     {"by_sorted", cells_sorted}, {"by_cells", cells_batched},
 };
-enum { RUNNERS = sizeof runners / sizeof *runners };
 
 int main(int argc, char **argv)
 {
@@ -32,17 +30,16 @@ int main(int argc, char **argv)
     struct question wraparound = standard;
     wraparound.space.geometry = WRAPAROUND;
     struct answers *answers = new_answers(n, BOTH);
-    struct trial versions[2 * RUNNERS];
-    for (int r = 0; r < RUNNERS; r++) {
+    struct trial versions[2 * COUNT_OF(runners)];
+    for (int r = 0; r < COUNT_OF(runners); r++) {
         search_function *search = runners[r].search;
         versions[2 * r] = search_trial(search, &standard, answers);
         versions[2 * r + 1] =
             search_trial(search, &wraparound, answers);
     }
-    time_in_turn(trials, versions, 2 * RUNNERS);
+    time_in_turn(trials, versions, 2 * COUNT_OF(runners));
     columns(&e, "name n standard:3 wraparound:3");
-    for (int r = 0; r < RUNNERS; r++)
+    for (int r = 0; r < COUNT_OF(runners); r++)
         row_of_times(&versions[2 * r], 2, n, "%s\t%u", runners[r].name,
                      n);
-    return 0;
 }

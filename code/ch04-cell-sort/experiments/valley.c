@@ -1,6 +1,5 @@
 // Build and search, nanoseconds a point, on one thread, for
 // several numbers of points in a cell and three searches.
-//
 //     valley [POINTS [TRIALS]]
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"
@@ -8,7 +7,7 @@
 
 static const double per_cell[] = {0.5, 0.75, 1, 1.5, 2,
                                   3,   4,    6, 10,  16};
-enum { SIZES = sizeof per_cell / sizeof *per_cell, SEARCHES = 3 };
+enum { SIZES = COUNT_OF(per_cell), SEARCHES = 3 };
 
 struct attempt {
     const struct question *question;
@@ -66,5 +65,4 @@ int main(int argc, char **argv)
     for (int s = 0; s < SIZES; s++)
         row_of_times(&versions[s * SEARCHES], SEARCHES, n,
                      "size_%d\t%g", s, per_cell[s]);
-    return 0;
 }

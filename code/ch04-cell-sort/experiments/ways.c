@@ -1,7 +1,6 @@
 // One thread, one run: what it costs to build lists, to sort indices,
 // to move the points as well, and what a search costs on each; the
 // queries come in the order of the input, or of the cells.
-//
 //     ways [POINTS [TRIALS]]
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/experiments/bench.h"
@@ -34,7 +33,7 @@ static const char *const names[] = {
     "build_lists",    "build_indices", "move_points",      "lists",
     "lists_in_order", "indices",       "indices_in_order", "sorted",
     "batches"};
-enum { WAYS = sizeof names / sizeof *names, BUILDS = 3 };
+enum { WAYS = COUNT_OF(names), BUILDS = 3 };
 
 int main(int argc, char **argv)
 {
@@ -53,5 +52,4 @@ int main(int argc, char **argv)
     columns(&e, "name n ns:3");
     for (int w = 0; w < WAYS; w++)
         row_of_times(&versions[w], 1, n, "%s\t%u", names[w], n);
-    return 0;
 }

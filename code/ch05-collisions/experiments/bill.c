@@ -2,7 +2,6 @@
 // first cache, and fits a line: so much for a point, so much for a
 // loser. Then counts points of all kinds in their own cells, plainly,
 // by groups and by detecting conflicts, beside what the line predicts.
-//
 //     bill [POINTS [TRIALS]]
 #include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/conflict.h"
@@ -148,5 +147,4 @@ int main(int argc, char **argv)
     print_price("loser", 1, line.loser);
     for (int r = 0; r < ROWS; r++)
         print_row(&rows[r], line);
-    return 0;
 }

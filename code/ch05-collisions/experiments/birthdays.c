@@ -2,7 +2,6 @@
 // pairs of lanes collide and how many lanes lose, beside what is to be
 // expected if the points come in random order. On average over several
 // sets of points.
-//
 //     birthdays [POINTS [SETS]]
 #include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/groups.h"
@@ -124,5 +123,4 @@ int main(int argc, char **argv)
         print_tally(name, "clustered", n * 8,
                     (struct range){seed, seed}, cray);
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Fits the grid, sorts the points into it, copies them in this order
 // and searches: as chapter 4 does on one thread, and by partition,
 // which sorts and copies in one, on one and on all processors.
-//
 //     build [POINTS [TRIALS]]
 #include "ch04-cell-sort/batches.h"
 #include "ch05-collisions/partition.h"
@@ -93,5 +92,4 @@ int main(int argc, char **argv)
     for (int step = 0; step < STEPS; step++)
         row_of_times(&trials[step * WAYS], WAYS, n, "%s\t%u\t%d",
                      step_names[step], n, all.question.threads);
-    return 0;
 }

@@ -3,7 +3,6 @@
 // partition in a workspace that has served one sort before. With pages
 // as small as they come, and with large ones where there are any; one
 // thread.
-//
 //     faults [POINTS]
 #include "ch05-collisions/partition.h"
 #include "common/experiment.h"
@@ -69,5 +68,4 @@ int main(int argc, char **argv)
         long large = faults_of(&grid, question.points, way, true);
         row("%s\t%u\t%ld\t%ld", names[way], n, small, large);
     }
-    return 0;
 }

@@ -2,7 +2,6 @@
 // that first read all counts, then write them all, and on two threads.
 // The threads race, on purpose, like those of chapter 3. Prints what
 // should have been counted in every cell, and what was.
-//
 //     lost-counts [POINTS]
 #include "ch05-collisions/cell_ids.h"
 #include "common/experiment.h"
@@ -76,5 +75,4 @@ int main(int argc, char **argv)
     count_racing(cell_id, n, count + 4 * m);
     columns(&e, "name right lanes8 lanes64 lanes1024 threads2");
     print_counts(m, count);
-    return 0;
 }

@@ -2,7 +2,6 @@
 // counts that threads share and counts of their own, on one thread and
 // on all processors. The kind "memory" shows what the machine needs for
 // as much memory as the partition writes: to get it, and to copy it.
-//
 //     sorts [POINTS [TRIALS [KIND...]]]
 #include "ch04-cell-sort/sorted.h"
 #include "ch05-collisions/partition.h"
@@ -25,7 +24,7 @@ static const struct {
     {"partition", NULL, &kept},
     {"partition_fresh", NULL, NULL},
 };
-enum { SORTS = sizeof sorts / sizeof *sorts };
+enum { SORTS = COUNT_OF(sorts) };
 
 struct sorting {
     cell_sort *sort;
@@ -195,5 +194,4 @@ int main(int argc, char **argv)
             time_kind(*kind, n, count);
         forget();
     }
-    return 0;
 }

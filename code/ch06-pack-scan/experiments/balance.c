@@ -2,7 +2,6 @@
 // The escape times of a picture, packed after every so many steps: the
 // steps that all lanes did and the nanoseconds, for each useful step;
 // with short vectors, one after another, and all points in one vector.
-//
 //     balance [TRIALS [WIDTH]]
 #include "ch06-pack-scan/escape.h"
 #include "common/experiment.h"
@@ -80,5 +79,4 @@ int main(int argc, char **argv)
     time_in_turn(trials, turns, 2 * INTERVALS);
     columns(&e, "name every useful done short_ns:3 long_ns:3");
     print_rows(drawings, turns);
-    return 0;
 }

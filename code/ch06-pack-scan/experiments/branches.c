@@ -1,7 +1,6 @@
 // Time packs against the share that is kept.
 // With a branch for every element, without one, and by instruction set:
 // nanoseconds an element.
-//
 //     branches [LENGTH [TRIALS]]
 #include "ch06-pack-scan/primitives.h"
 #include "common/experiment.h"
@@ -61,5 +60,4 @@ int main(int argc, char **argv)
         time_in_turn(trials, versions, 3);
         row_of_times(versions, 3, n, "kept_%d\t%d", percent, percent);
     }
-    return 0;
 }

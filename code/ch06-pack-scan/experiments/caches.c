@@ -1,4 +1,3 @@
-// Ask for the sizes of the caches.
 // See caches.h.
 #include "ch06-pack-scan/experiments/caches.h"
 #include <stdbool.h>

@@ -1,4 +1,3 @@
-// Declare the caches.
 // The sizes of the first processor's data caches in bytes, as Linux
 // reports them; elsewhere, those of an ordinary processor. (The C
 // library knows them, too, but on a machine cut out of a larger one it

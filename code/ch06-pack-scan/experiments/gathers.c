@@ -2,7 +2,6 @@
 // AVX2 has one for four indices, AVX-512 for eight, and another that
 // scatters. Nanoseconds an element beside the loop in plain C, in order
 // and at random.
-//
 //     gathers [TRIALS]
 #include "ch06-pack-scan/experiments/workload.h"
 #include "ch06-pack-scan/portable.h"
@@ -72,17 +71,14 @@ static void print_routes(enum work work, size_t bytes, int trials)
         avx512.gather = gather_eight;
         avx512.scatter = scatter_eight;
     }
-    struct workload workload = workload_make(work, bytes);
-    struct priced priced[] = {
-        {.primitives = &portable_primitives, .workload = &workload},
-        {.primitives = &avx2, .workload = &workload},
-        {.primitives = &avx512, .workload = &workload}};
-    price_in_turn(trials, priced, 3);
+    const struct primitives *const tables[] = {&portable_primitives,
+                                               &avx2, &avx512};
+    struct summary ns[3];
+    price_work(work, bytes, trials, tables, 3, ns);
     row_begin("%s_%zu\t%zu", work_names[work], bytes, bytes);
     for (int k = 0; k < 3; k++)
-        row_times(&priced[k].ns, 1);
+        row_times(&ns[k], 1);
     row_end();
-    workload_free(&workload);
 }
 
 int main(int argc, char **argv)
@@ -96,5 +92,4 @@ int main(int argc, char **argv)
         print_routes(SCATTER_IN_ORDER, bytes, trials);
         print_routes(SCATTER_AT_RANDOM, bytes, trials);
     }
-    return 0;
 }

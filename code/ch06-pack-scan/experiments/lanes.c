@@ -3,7 +3,6 @@
 // what each lane does, never packed, and behind a gap again, packed
 // after every EVERY steps: 2 is useful work, 1 work for nothing, 0 no
 // lane at all.
-//
 //     lanes [EVERY [LIMIT]]
 #include "ch06-pack-scan/escape.h"
 #include "common/experiment.h"
@@ -61,5 +60,4 @@ int main(int argc, char **argv)
             n = p->pack(packed, packed, inside, n);
         print_lanes(all, packed, n, steps, step);
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Price the primitives, length by length.
 // Nanoseconds an element of each primitive against its working set, in
 // portable C and with the chosen instruction set.
-//
 //     lengths [TRIALS [LARGEST]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch06-pack-scan/experiments/workload.h"
@@ -31,5 +30,4 @@ int main(int argc, char **argv)
     columns(&e, "primitive bytes l1 l2 l3 portable_ns:3 vector_ns:3");
     for (size_t bytes = 1 << 12; bytes <= largest; bytes *= 2)
         print_prices(bytes, trials);
-    return 0;
 }

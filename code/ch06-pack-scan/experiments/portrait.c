@@ -1,7 +1,6 @@
 // Draw the escape times.
 // A picture of the plane: the steps of each of its points, a row of
 // the table for a row of the picture.
-//
 //     portrait [WIDTH [LIMIT]]
 #include "ch06-pack-scan/escape.h"
 #include "common/experiment.h"
@@ -23,5 +22,4 @@ int main(int argc, char **argv)
     for (uint32_t i = 0; i < c.n; i++)
         printf("%c%.0f", i % width ? '\t' : '\n', steps[i]);
     row_end();
-    return 0;
 }

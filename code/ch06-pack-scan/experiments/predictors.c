@@ -4,8 +4,6 @@
 // by such a counter for each pattern of the last 12 or 20 marks. Wrong
 // guesses for an element in the last of several passes over the same
 // marks; in the last column, over the first thousand of them.
-//
-//     predictors
 #include "common/experiment.h"
 
 enum { MARKS = 1 << 17, FEW = 1000, LONGEST = 20, PASSES = 10 };
@@ -62,5 +60,4 @@ int main(int argc, char **argv)
         "name percent rarer last counter history_12 history_20 few_12");
     for (int percent = 0; percent <= 100; percent += 10)
         print_row(percent);
-    return 0;
 }

@@ -3,7 +3,6 @@
 // set, on working sets that fit into a cache with room to spare, and on
 // one that fits into none. In the first columns, the portable ones in
 // the first cache, timed in turn with the chosen.
-//
 //     prices [TRIALS [LARGEST]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch06-pack-scan/experiments/workload.h"
@@ -44,5 +43,4 @@ int main(int argc, char **argv)
             row_times(&ns[c][work], 1);
         row_end();
     }
-    return 0;
 }

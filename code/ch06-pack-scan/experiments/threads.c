@@ -1,7 +1,6 @@
 // Time scan and pack over threads.
 // On one thread; over two, in one block each; over two, in blocks that
 // fit into the second cache. Nanoseconds an element.
-//
 //     threads [TRIALS [LONGEST]]
 #include "ch06-pack-scan/blocked.h"
 #include "common/experiment.h"
@@ -78,5 +77,4 @@ int main(int argc, char **argv)
         print_times("scan", run_scan, run, trials);
         print_times("pack", run_pack, run, trials);
     }
-    return 0;
 }

@@ -1,8 +1,8 @@
-// Price the primitives in turn.
 // See workload.h.
 #include "ch06-pack-scan/experiments/workload.h"
 
-// Know what a primitive touches.
+enum { MOST_TABLES = 3 }; // priced in turn
+
 const char *const work_names[WORKS] = {"elementwise",
                                        "gather_in_order",
                                        "gather_at_random",
@@ -21,7 +21,6 @@ static const struct {
                    {0, 3, 0, 0}, {0, 3, 0, 1}, {2, 1, 0, 0},
                    {2, 1, 0, 1}, {0, 2, 0, 0}, {0, 2, 1, 0}};
 
-// Make a workload.
 static void shuffle(uint32_t *index, uint32_t n, struct random *random)
 {
     for (uint32_t i = n; i > 1; i--) {
@@ -31,7 +30,15 @@ static void shuffle(uint32_t *index, uint32_t n, struct random *random)
     }
 }
 
-struct workload workload_make(enum work work, size_t bytes)
+struct workload {
+    enum work work;
+    uint32_t n;           // elements
+    double *doubles[3];   // as many of each as the primitive needs
+    uint32_t *numbers[3]; // an index is the first
+    uint8_t *keep;
+};
+
+static struct workload workload_make(enum work work, size_t bytes)
 {
     int doubles = arrays[work].doubles, numbers = arrays[work].numbers;
     int flags = arrays[work].flags;
@@ -57,17 +64,15 @@ struct workload workload_make(enum work work, size_t bytes)
     return w;
 }
 
-void workload_free(struct workload *workload)
+static void workload_free(struct workload *workload)
 {
     for (int k = 0; k < 3; k++) {
         free(workload->doubles[k]);
         free(workload->numbers[k]);
     }
     free(workload->keep);
-    *workload = (struct workload){0};
 }
 
-// Run a primitive.
 static void run_once(const struct primitives *p,
                      const struct workload *w)
 {
@@ -97,7 +102,6 @@ static void run_once(const struct primitives *p,
     }
 }
 
-// Time a primitive by element.
 // A trial handles a million elements or so, however short the arrays.
 static uint32_t rounds(const struct workload *w)
 {
@@ -105,46 +109,48 @@ static uint32_t rounds(const struct workload *w)
     return w->n < ELEMENTS ? ELEMENTS / w->n : 1;
 }
 
+struct pricing {
+    const struct primitives *primitives;
+    const struct workload *workload;
+};
+
 static void run_rounds(void *context)
 {
-    const struct priced *priced = context;
-    for (uint32_t r = rounds(priced->workload); r > 0; r--)
-        run_once(priced->primitives, priced->workload);
+    const struct pricing *pricing = context;
+    for (uint32_t r = rounds(pricing->workload); r > 0; r--)
+        run_once(pricing->primitives, pricing->workload);
 }
 
-void price_in_turn(int trials, struct priced *priced, int count)
+void price_work(enum work work, size_t bytes, int trials,
+                const struct primitives *const *tables, int count,
+                struct summary *ns)
 {
-    struct trial *turns = allocate(count, sizeof *turns);
-    for (int k = 0; k < count; k++)
-        turns[k] =
-            (struct trial){.work = run_rounds, .context = &priced[k]};
-    time_in_turn(trials, turns, count);
+    struct workload w = workload_make(work, bytes);
+    struct pricing pricing[MOST_TABLES];
+    struct trial turns[MOST_TABLES];
     for (int k = 0; k < count; k++) {
-        const struct workload *w = priced[k].workload;
-        double elements = (double)w->n * rounds(w);
-        struct summary s = turns[k].summary;
-        priced[k].ns = (struct summary){
-            s.min / elements, s.q1 / elements, s.median / elements,
-            s.q3 / elements, s.max / elements};
+        pricing[k] = (struct pricing){tables[k], &w};
+        turns[k] = (struct trial){run_rounds, &pricing[k]};
     }
-    free(turns);
+    time_in_turn(trials, turns, count);
+    double elements = (double)w.n * rounds(&w);
+    for (int k = 0; k < count; k++) {
+        struct summary s = turns[k].summary;
+        ns[k] = (struct summary){s.min / elements, s.q1 / elements,
+                                 s.median / elements, s.q3 / elements,
+                                 s.max / elements};
+    }
+    workload_free(&w);
 }
 
-// Price every primitive on one level.
 void price_tables(int trials, size_t bytes,
                   const struct primitives *const *tables, int count,
                   struct summary ns[][WORKS])
 {
-    struct priced *priced = allocate(count, sizeof *priced);
     for (int work = 0; work < WORKS; work++) {
-        struct workload workload = workload_make(work, bytes);
+        struct summary of_work[MOST_TABLES];
+        price_work(work, bytes, trials, tables, count, of_work);
         for (int k = 0; k < count; k++)
-            priced[k] = (struct priced){.primitives = tables[k],
-                                        .workload = &workload};
-        price_in_turn(trials, priced, count);
-        for (int k = 0; k < count; k++)
-            ns[k][work] = priced[k].ns;
-        workload_free(&workload);
+            ns[k][work] = of_work[k];
     }
-    free(priced);
 }

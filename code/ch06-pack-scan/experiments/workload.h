@@ -1,4 +1,3 @@
-// Declare what is priced.
 // A primitive with arrays to work on, which take a given number of
 // bytes all together: the working set. Indices in order are 0, 1, 2,
 // and so on; at random, each of them once, shuffled. Pack keeps half,
@@ -22,32 +21,15 @@ enum work {
 
 extern const char *const work_names[WORKS];
 
-struct workload {
-    enum work work;
-    uint32_t n;           // elements
-    double *doubles[3];   // as many of each as the primitive needs
-    uint32_t *numbers[3]; // an index is the first
-    uint8_t *keep;
-};
+// Times one kind of work with count tables of primitives in turn, on a
+// working set of so many bytes, and sets ns[0 .. count-1]: nanoseconds
+// an element.
+void price_work(enum work work, size_t bytes, int trials,
+                const struct primitives *const *tables, int count,
+                struct summary *ns);
 
-// To be released with workload_free.
-struct workload workload_make(enum work work, size_t bytes);
-void workload_free(struct workload *workload);
-
-// A primitive of a table with its workload, and the nanoseconds that it
-// takes for an element, set by price_in_turn.
-struct priced {
-    const struct primitives *primitives;
-    const struct workload *workload;
-    struct summary ns;
-};
-
-// Times all of them in turn.
-void price_in_turn(int trials, struct priced *priced, int count);
-
-// Times the primitives of several tables on working sets of so many
-// bytes, and sets ns[table][work]. One primitive after the other: no
-// two working sets share a cache. Its versions are timed in turn.
+// All kinds of work with one table or several, one kind after the
+// other: no two working sets share a cache. Sets ns[table][work].
 void price_tables(int trials, size_t bytes,
                   const struct primitives *const *tables, int count,
                   struct summary ns[][WORKS]);

@@ -2,7 +2,6 @@
 // and with the points of a cell together, as the table has them, on
 // points of several kinds: the time, and the distances and cells a
 // point.
-//
 //     compare [POINTS [TRIALS]]
 #include "common/experiment.h"
 
@@ -13,21 +12,20 @@ static const struct {
                 {"spiral", "spiral"}};
 static const char *const kinds[] = {"uniform", "clustered", "circle",
                                     "kuzmin", "two-clusters"};
-enum { SEARCHES = 3, KINDS = sizeof kinds / sizeof *kinds };
 
 static void compare_on(const char *kind, uint32_t n, int trials)
 {
     struct question question = kind_question(kind, n, 1);
     struct answers *answers = new_answers(n, BOTH);
-    const struct algorithm *algorithm[SEARCHES];
-    struct trial trial[SEARCHES];
-    for (int k = 0; k < SEARCHES; k++) {
+    const struct algorithm *algorithm[COUNT_OF(searches)];
+    struct trial trial[COUNT_OF(searches)];
+    for (int k = 0; k < COUNT_OF(searches); k++) {
         algorithm[k] = find_algorithm(searches[k].algorithm);
         trial[k] = search_trial(algorithm[k]->run, &question, answers);
     }
-    time_in_turn(trials, trial, SEARCHES);
+    time_in_turn(trials, trial, COUNT_OF(searches));
     question.threads = omp_get_num_procs();
-    for (int k = 0; k < SEARCHES; k++) {
+    for (int k = 0; k < COUNT_OF(searches); k++) {
         struct counts counts =
             count_operations(algorithm[k], &question, answers);
         row_of_times(&trial[k], 1, n, "%s_%s\t%u\t%.6g\t%.6g",
@@ -44,7 +42,6 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 5000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     columns(&e, "name n distances cells ns:3");
-    for (int k = 0; k < KINDS; k++)
+    for (int k = 0; k < COUNT_OF(kinds); k++)
         compare_on(kinds[k], n, trials);
-    return 0;
 }

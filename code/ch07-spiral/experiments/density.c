@@ -1,6 +1,5 @@
 // Distances and cells a point, counted and expected, and the time of
 // sort and search, with the queries in the order of the cells.
-//
 //     density [POINTS [TRIALS]]
 #include "ch07-spiral/experiments/census.h"
 #include "ch07-spiral/experiments/expected.h"
@@ -16,7 +15,7 @@ static const struct {
     {"three", 3},       {"four", 4},           {"six", 6},
     {"eight", 8},
 };
-enum { SETTINGS = sizeof settings / sizeof *settings };
+enum { SETTINGS = COUNT_OF(settings) };
 
 struct timed {
     const struct question *question;
@@ -60,5 +59,4 @@ int main(int argc, char **argv)
             settings[k].name, n, census.per_cell, census.distances,
             census.cells, expected.distances, expected.cells);
     }
-    return 0;
 }

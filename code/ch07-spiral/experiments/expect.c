@@ -1,7 +1,5 @@
 // Distances and cells a point over c, and what the report's formula
 // gives. No point is generated.
-//
-//     expect
 #include "ch07-spiral/experiments/expected.h"
 #include "common/experiment.h"
 
@@ -17,5 +15,4 @@ int main(int argc, char **argv)
             expected.distances, expected.cells, expected_printed(c),
             expected_one_more(c));
     }
-    return 0;
 }

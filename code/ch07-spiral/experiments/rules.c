@@ -4,7 +4,6 @@
 // it says; whole layers, as far as D reaches; the cells that meet the
 // square; or those that meet it while it shrinks with every better
 // point. Distances and cells a point, and how many answers are wrong.
-//
 //     rules [POINTS]
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"
@@ -150,5 +149,4 @@ int main(int argc, char **argv)
         cells_free(&cells);
         grid_free(&grid);
     }
-    return 0;
 }

@@ -4,7 +4,6 @@
 // many points fill the caches, if each query goes at random for what
 // the search reads of a point: two coordinates, an index, where a cell
 // begins.
-//
 //     sizes [MOST [SETS]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch07-spiral/experiments/census.h"
@@ -62,5 +61,4 @@ int main(int argc, char **argv)
                 " l3_points");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         print_size(n, n > LOTS && sets > 3 ? 3 : sets);
-    return 0;
 }

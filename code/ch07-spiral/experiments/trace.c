@@ -4,18 +4,23 @@
 // all points, the query, the nearest of phase one, and the neighbor.
 // Taken is the first point whose search is worth drawing: phase one
 // ends in layer 1, and phase two goes further and finds a nearer one.
-//
-//     trace
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"
 
 enum { POINTS = 1000, MOST_CELLS = 200 };
 
+// A visit of a cell, and how the search stood after it.
+struct visit {
+    uint32_t column, row, nearest;
+    int layer;
+    uint64_t compared; // points of the cell
+    double best2;
+};
+
 // The query comes first, so that a pointer to it is one to the record.
 struct recorder {
     struct spiral_query query;
-    uint32_t cell[MOST_CELLS];
-    struct spiral_query before[MOST_CELLS]; // as it stood before each
+    struct visit visits[MOST_CELLS];
     int count;
 };
 
@@ -26,41 +31,41 @@ INLINED void visit_and_record(const enum geometry geometry,
     struct recorder *recorder = (struct recorder *)query;
     if (recorder->count == MOST_CELLS)
         fail("a search of more than %d cells", MOST_CELLS);
-    recorder->before[recorder->count] = *query;
-    recorder->cell[recorder->count++] = cell;
+    const int column = cell % map->grid->x.count;
+    const int row = cell / map->grid->x.count;
+    const uint64_t before = query->distances;
     visit_cell(geometry, map, cell, query);
+    recorder->visits[recorder->count++] =
+        (struct visit){column,
+                       row,
+                       query->nearest,
+                       MAX(abs(column - (int)query->column),
+                           abs(row - (int)query->row)),
+                       query->distances - before,
+                       query->best2};
 }
 
-static int layer_of(const struct grid *grid, uint32_t cell,
-                    uint32_t home)
+// The visits of phase one, up to the end of the first layer that has a
+// point.
+static int phase_one(const struct recorder *r)
 {
-    int m = grid->x.count;
-    int dx = (int)(cell % m) - (int)(home % m);
-    int dy = (int)(cell / m) - (int)(home / m);
-    return MAX(dx < 0 ? -dx : dx, dy < 0 ? -dy : dy);
+    int count = 0, found = 0;
+    while (r->visits[found].nearest == NO_INDEX)
+        found++;
+    while (count < r->count &&
+           r->visits[count].layer <= r->visits[found].layer)
+        count++;
+    return count;
 }
 
 // Phase one ends in layer 1; phase two visits some of layer 2, on one
-// side only, and finds a better neighbor there. `ends` is the layer of
-// the first point that was compared.
-static bool worth_drawing(const struct grid *grid,
-                          const struct recorder *r, int *ends)
+// side only, and finds a better neighbor there.
+static bool worth_drawing(const struct recorder *r)
 {
-    uint32_t home = r->cell[0];
-    *ends = 0;
-    for (int k = 0; k < r->count; k++)
-        if (r->before[k].nearest == NO_INDEX)
-            *ends = layer_of(grid, r->cell[k], home);
-    double best2 = INFINITY;
-    int beyond = 0;
-    for (int k = 0; k < r->count; k++)
-        if (layer_of(grid, r->cell[k], home) <= *ends)
-            best2 = k + 1 < r->count ? r->before[k + 1].best2
-                                     : r->query.best2;
-        else
-            beyond++;
-    return *ends == 1 && beyond >= 4 && beyond <= 9 &&
-           r->query.best2 < best2;
+    const int first = phase_one(r), beyond = r->count - first;
+    const struct visit *last = &r->visits[first - 1];
+    return last->layer == 1 && beyond >= 4 && beyond <= 9 &&
+           r->query.best2 < last->best2;
 }
 
 static void print_mark(const char *kind, const struct grid *grid,
@@ -71,34 +76,27 @@ static void print_mark(const char *kind, const struct grid *grid,
         (y - grid->y.low) * grid->y.scale);
 }
 
-static void print_trace(const struct map *map, const struct recorder *r,
-                        int ends)
+static void print_trace(const struct map *map, const struct recorder *r)
 {
     const struct grid *grid = map->grid;
     const struct points p = map->points;
-    uint32_t columns = grid->x.count, first = NO_INDEX;
+    const int first = phase_one(r);
     for (int k = 0; k < r->count; k++) {
-        uint32_t cell = r->cell[k];
-        int layer = layer_of(grid, cell, r->cell[0]);
-        if (layer > ends && first == NO_INDEX)
-            first = r->before[k].nearest;
-        const struct spiral_query *before = &r->before[k];
-        const struct spiral_query *after =
-            k + 1 < r->count ? before + 1 : &r->query;
-        row_begin("cell\t%u\t%u\t%d\t%d\t%d\t%ju\t", cell % columns,
-                  cell / columns, k + 1, layer, layer <= ends ? 1 : 2,
-                  (uintmax_t)(after->distances - before->distances));
-        if (after->nearest == NO_INDEX)
+        const struct visit *v = &r->visits[k];
+        row_begin("cell\t%u\t%u\t%d\t%d\t%d\t%ju\t", v->column, v->row,
+                  k + 1, v->layer, k < first ? 1 : 2,
+                  (uintmax_t)v->compared);
+        if (v->nearest == NO_INDEX)
             row("-");
         else
-            row("%.3f", sqrt(after->best2) * grid->x.scale);
+            row("%.3f", sqrt(v->best2) * grid->x.scale);
     }
     for (uint32_t i = 0; i < p.n; i++)
         print_mark("point", grid, p.x[i], p.y[i]);
+    uint32_t near = r->visits[first - 1].nearest, i = r->query.nearest;
     print_mark("query", grid, r->query.x, r->query.y);
-    print_mark("first", grid, p.x[first], p.y[first]);
-    print_mark("neighbor", grid, p.x[r->query.nearest],
-               p.y[r->query.nearest]);
+    print_mark("first", grid, p.x[near], p.y[near]);
+    print_mark("neighbor", grid, p.x[i], p.y[i]);
 }
 
 int main(int argc, char **argv)
@@ -111,13 +109,11 @@ int main(int argc, char **argv)
     columns(&e, "kind x y visit layer phase compared best");
     for (uint32_t i = 0; i < POINTS; i++) {
         struct recorder recorder = {.query = spiral_query_at(&map, i)};
-        int ends;
         spiral_nearest(STANDARD, &map, visit_and_record,
                        &recorder.query);
-        if (worth_drawing(&grid, &recorder, &ends)) {
-            print_trace(&map, &recorder, ends);
+        if (worth_drawing(&recorder)) {
+            print_trace(&map, &recorder);
             break;
         }
     }
-    return 0;
 }

@@ -1,6 +1,5 @@
 // How often the cell so many steps away is visited, one point to a
 // cell: counted on points that wrap around, and expected.
-//
 //     visits [POINTS]
 #include "ch07-spiral/experiments/expected.h"
 #include "ch07-spiral/two_phases.h"
@@ -61,5 +60,4 @@ int main(int argc, char **argv)
                 FAR + dx, n, dx, dy,
                 (double)visitor.visits[FAR + dy][FAR + dx] / n,
                 dx || dy ? expected_visits(1, dx, dy) : 1);
-    return 0;
 }

@@ -3,7 +3,6 @@
 // at prices of the same run, measured on arrays as large as those of
 // the innermost loop and, for routes to anywhere, as the points. Then
 // what each loop costs by its lines, and by the clock.
-//
 //     bill [POINTS [TRIALS]]
 #include "ch08-vector-spiral/advance.h"
 #include "ch08-vector-spiral/by_primitives.h"
@@ -202,5 +201,4 @@ int main(int argc, char **argv)
     list_lines(&tally, n, lines);
     columns(&e, "name loop elements price predicted measured:3");
     print_bill(lines, &prices, ns, n);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // The spiral search, point by point and in step, each with its sort,
 // and the batched search of chapter 4: nanoseconds a point,
 // each version right after itself.
-//
 //     gains [POINTS [TRIALS]]
 #include "ch04-cell-sort/batches.h"
 #include "ch07-spiral/spiral.h"
@@ -19,11 +18,10 @@ static const struct {
                 {"fused_plain", spiral_fused_plain},
                 {"fused", vector_spiral},
                 {"together", cells_batched}};
-enum { VERSIONS = sizeof versions / sizeof *versions };
+enum { VERSIONS = COUNT_OF(versions) };
 
 static const char *const kinds[] = {"uniform", "clustered", "circle",
                                     "kuzmin"};
-enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static void time_kind(const char *kind, uint32_t n, int trials)
 {
@@ -49,8 +47,7 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 20000, 8, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     columns(&e, "name isa n ns:3");
-    for (int k = 0; k < KINDS - 1; k++)
+    for (int k = 0; k < COUNT_OF(kinds) - 1; k++)
         time_kind(kinds[k], n, trials);
-    time_kind(kinds[KINDS - 1], n < FEW ? n / 4 : FEW / 4, 1);
-    return 0;
+    time_kind(kinds[COUNT_OF(kinds) - 1], n < FEW ? n / 4 : FEW / 4, 1);
 }

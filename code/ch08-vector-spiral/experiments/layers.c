@@ -1,7 +1,6 @@
 // Layer by layer: the share of the tasks that are there in phase one
 // and in phase two, and the cells that they visit; beside what is
 // expected where no border is near.
-//
 //     layers [POINTS]
 #include "ch07-spiral/experiments/expected.h"
 #include "ch08-vector-spiral/advance.h"
@@ -52,5 +51,4 @@ int main(int argc, char **argv)
                 " expected_shown");
     for (int k = 0; k < LAYERS_PRINTED; k++)
         print_layer(&tally, n, (double)n / grid_cells(&grid), k);
-    return 0;
 }

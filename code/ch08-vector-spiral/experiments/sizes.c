@@ -2,7 +2,6 @@
 // with the queries as they come and in the order of the cells,
 // and of the vectorized one; over several sets of points, uniform and
 // clustered.
-//
 //     sizes [MOST [SETS]]
 #include "ch07-spiral/experiments/census.h"
 #include "ch07-spiral/spiral.h"
@@ -86,5 +85,4 @@ int main(int argc, char **argv)
                 " ordered:5 marching:5");
     print_sizes("uniform", most, sets);
     print_sizes("clustered", most, sets);
-    return 0;
 }

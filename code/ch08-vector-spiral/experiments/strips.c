@@ -1,7 +1,6 @@
 // Nanoseconds a point of the search in step, without the sort, by
 // primitives and with fused kernels, and how full the vectors are; over
 // the number of tasks in a strip. And how many tasks fill the caches.
-//
 //     strips [POINTS [TRIALS [LONGEST]]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch08-vector-spiral/advance.h"
@@ -71,5 +70,4 @@ int main(int argc, char **argv)
                 " l1_tasks l2_tasks");
     for (int k = 0; k < count; k += WAYS)
         print_length(&strips[k], &turns[k]);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // The partition, and the search by row spans, over the number of points
 // in a cell; and the distances computed and the points that are queried
 // alone, counted and expected.
-//
 //     fullness [POINTS [TRIALS]]
 #include "ch09-row-spans/experiments/expected_spans.h"
 #include "ch09-row-spans/row_spans.h"
@@ -37,7 +36,7 @@ static const struct {
              {"c_one", 1},    {"c_one_and_a_half", 1.5},
              {"c_two", 2},    {"c_three", 3},
              {"c_four", 4},   {"c_six", 6}};
-enum { SIZES = sizeof sizes / sizeof *sizes };
+enum { SIZES = COUNT_OF(sizes) };
 
 static void print_size(const char *name, struct halves *h,
                        const struct trial trials[2])
@@ -76,5 +75,4 @@ int main(int argc, char **argv)
                 "search:3");
     for (int k = 0; k < SIZES; k++)
         print_size(sizes[k].name, &halves[k], &trials[2 * k]);
-    return 0;
 }

@@ -4,7 +4,6 @@
 // row spans keep of a point; how many pages of memory row spans give
 // back to the system with every run and get again in the next, if they
 // are given no workspace; and what they take if they are given one.
-//
 //     heights [MOST]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "common/experiment.h"
@@ -97,5 +96,4 @@ int main(int argc, char **argv)
                 " pages kept:3");
     for (int k = 0; k < count; k++)
         print_height(&heights[k]);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Row spans on points that are spread unevenly: the time with one
 // thread and with all processors, the distances, and how many points
 // are queried alone; beside chapter 4's best and the spiral.
-//
 //     kinds [POINTS [MORE [TRIALS]]]
 // MORE are the points of those kinds that do not crowd. What allocates
 // much runs once before it is timed.
@@ -14,7 +13,7 @@ static const struct {
             {"cells", false},
             {"row-spans", false},
             {"row-spans", true}};
-enum { WAYS = sizeof ways / sizeof *ways };
+enum { WAYS = COUNT_OF(ways) };
 
 static void print_kind(const char *kind, uint32_t n, int count)
 {
@@ -55,5 +54,4 @@ int main(int argc, char **argv)
     print_kind("kuzmin", n, count);
     print_kind("two-clusters", n, count);
     print_kind("equal", n, count);
-    return 0;
 }

@@ -4,7 +4,6 @@
 // or go back by way of the records, or stay in the order of the cells;
 // beside chapter 4's sort and copy, and beside the floor, which is to
 // read every point once and to write every answer once.
-//
 //     phases [POINTS [TRIALS]]
 #include "ch05-collisions/partition.h"
 #include "ch09-row-spans/row_spans.h"
@@ -130,7 +129,7 @@ static const struct {
               {"at_home", search_in_place},
               {"all", all},
               {"floor", touch_floor}};
-enum { PHASES = sizeof phases / sizeof *phases };
+enum { PHASES = COUNT_OF(phases) };
 
 int main(int argc, char **argv)
 {
@@ -160,5 +159,4 @@ int main(int argc, char **argv)
     for (int k = 0; k < PHASES; k++)
         row_of_times(&trials[2 * k], 2, n, "%s\t%u\t%d", phases[k].name,
                      n, all.question.threads);
-    return 0;
 }

@@ -2,7 +2,6 @@
 // together: every step in turn on the same points, in the order of the
 // cells, with the distances that each computes and how many points are
 // answered exactly.
-//
 //     steps [POINTS [TRIALS]]
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"
@@ -57,8 +56,8 @@ typedef struct point_query query_function(const struct scene *scene,
                                           uint32_t s);
 
 // One query after the other, in the order of the cells.
-static struct counts query_each(struct steps *s, query_function *query,
-                                const struct span_kernels *kernels)
+static void query_each(struct steps *s, query_function *query,
+                       const struct span_kernels *kernels)
 {
     const struct sorted *sorted = &s->two.sorted;
     const uint32_t *point = sorted->cells.point;
@@ -70,7 +69,7 @@ static struct counts query_each(struct steps *s, query_function *query,
         s->answers->nearest2[point[k]] = found.best2;
         counts.distances += found.compared;
     }
-    return counts;
+    counts_add(s->question.counts, &counts);
 }
 
 static void by_spans(void *context)
@@ -107,60 +106,21 @@ static void by_fewer(void *context)
                      s->answers);
 }
 
-// Chapter 4's searches by points compute as many distances as they find
-// points in the blocks, which is what spans find, too. Its four
-// queries together are counted as the row of the table.
-static struct counts count_blocks(struct steps *s)
-{
-    return query_each(s, query_all_rows, span_kernels());
-}
-
-static struct counts count_skipping(struct steps *s)
-{
-    return query_each(s, nearest_query, span_kernels());
-}
-
-static struct counts count_four(struct steps *s)
-{
-    return count_operations(find_algorithm("cells"), &s->question,
-                            s->answers);
-}
-
-static struct counts count_spans(const struct steps *s,
-                                 const struct partition *partition)
-{
-    struct counts counts = {0};
-    struct question question = s->question;
-    question.counts = &counts;
-    struct workspace scratch = {0};
-    search_row_spans(&question, partition, &scratch, s->answers);
-    workspace_free(&scratch);
-    return counts;
-}
-
-static struct counts count_sifting(struct steps *s)
-{
-    return count_spans(s, &s->two);
-}
-
-static struct counts count_fewer(struct steps *s)
-{
-    return count_spans(s, &s->fewer);
-}
-
+// What is counted is the work itself, but chapter 4's searches by
+// points are taken to compute as many distances as they find points in
+// the blocks, which is what spans find, too.
 static const struct {
     const char *name;
-    void (*work)(void *);
-    struct counts (*count)(struct steps *);
-} steps[] = {{"indices", by_indices, count_blocks},
-             {"sorted", by_sorted, count_blocks},
-             {"spans", by_spans, count_blocks},
-             {"vectors", by_vectors, count_blocks},
-             {"skipping", by_skipping, count_skipping},
-             {"four", by_four, count_four},
-             {"sifted", by_sifting, count_sifting},
-             {"fewer", by_fewer, count_fewer}};
-enum { STEPS = sizeof steps / sizeof *steps };
+    void (*work)(void *), (*counted)(void *);
+} steps[] = {{"indices", by_indices, by_vectors},
+             {"sorted", by_sorted, by_vectors},
+             {"spans", by_spans, by_spans},
+             {"vectors", by_vectors, by_vectors},
+             {"skipping", by_skipping, by_skipping},
+             {"four", by_four, by_four},
+             {"sifted", by_sifting, by_sifting},
+             {"fewer", by_fewer, by_fewer}};
+enum { STEPS = COUNT_OF(steps) };
 
 int main(int argc, char **argv)
 {
@@ -180,10 +140,11 @@ int main(int argc, char **argv)
     time_in_turn(count, trials, STEPS);
     columns(&e, "name n distances alone ns:3");
     for (int k = 0; k < STEPS; k++) {
-        struct counts counts = steps[k].count(&s);
+        struct counts counts = {0};
+        s.question.counts = &counts;
+        steps[k].counted(&s);
         row_of_times(&trials[k], 1, n, "%s\t%u\t%.5g\t%.4g",
                      steps[k].name, n, (double)counts.distances / n,
                      (double)counts.tasks / n);
     }
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Row spans on all processors, once: how long it takes for a point, and
 // how many bytes a point the program had in memory at most, its points
 // and answers included.
-//
 //     vast [POINTS]
 #include "common/experiment.h"
 #include <sys/resource.h>
@@ -21,5 +20,4 @@ int main(int argc, char **argv)
     columns(&e, "name n threads ns bytes");
     row("points\t%u\t%d\t%.4g\t%.4g", n, question.threads, ns,
         1024.0 * usage.ru_maxrss / n);
-    return 0;
 }

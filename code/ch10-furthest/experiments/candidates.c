@@ -1,7 +1,6 @@
 // How many cells the corner trick looks at and how many points it
 // meets, on average over uniform points, beside the prediction of four
 // cells and a little; and the same for cells along the border.
-//
 //     candidates [MOST]
 #include "ch04-cell-sort/sorted.h"
 #include "ch10-furthest/border.h"
@@ -42,5 +41,4 @@ int main(int argc, char **argv)
         row_end();
         forget();
     }
-    return 0;
 }

@@ -1,8 +1,6 @@
 // What the trick looked at for two points: one that it answers right,
 // and one whose furthest point it misses since the corner cell is
 // empty. In units of cells: the cells, the points, the circle.
-//
-//     corner
 #include "ch02-all-pairs/naive.h"
 #include "ch10-furthest/border.h"
 #include "common/experiment.h"
@@ -81,5 +79,4 @@ int main(int argc, char **argv)
     columns(&e, "kind x y");
     draw("sound", false);
     draw("broken", true);
-    return 0;
 }

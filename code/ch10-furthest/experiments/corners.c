@@ -2,7 +2,6 @@
 // sets, beside the expectation of Renyi and Sulanke (1963); how many of
 // them are the furthest of any point; and the corners of a circle's
 // points.
-//
 //     corners [MOST [SETS]]
 #include "ch10-furthest/furthest_hull.h"
 #include "common/experiment.h"
@@ -58,5 +57,4 @@ int main(int argc, char **argv)
                     n > FEW ? 1 + sets * FEW / n : (uint32_t)sets);
     for (uint64_t n = 100; n <= FEW; n *= 10)
         print_count("circle", n, 1);
-    return 0;
 }

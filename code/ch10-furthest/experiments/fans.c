@@ -1,7 +1,6 @@
 // Points of two kinds, for each the rank of its furthest point, 0 for
 // the one that is the furthest of most, and of how many it is the
 // furthest itself.
-//
 //     fans [POINTS]
 #include "common/experiment.h"
 
@@ -42,5 +41,4 @@ int main(int argc, char **argv)
     columns(&e, "kind x y rank fans");
     print_kind("uniform", n);
     print_kind("clustered", n);
-    return 0;
 }

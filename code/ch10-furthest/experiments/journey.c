@@ -2,7 +2,6 @@
 // run, from the coursework's loop on: both geometries, one thread and
 // all processors, nanoseconds a point. Those that would take minutes
 // get fewer points, and their time is scaled by the number of pairs.
-//
 //     journey [POINTS [FEWER [TRIALS]]]
 #include "ch02-all-pairs/first.h"
 #include "common/experiment.h"
@@ -114,5 +113,4 @@ int main(int argc, char **argv)
                 "standard_all:3 wraparound:3 wraparound_all:3");
     for (int s = 0; s < STAGES; s++)
         print_stage(s, trials + first[s], n, s < SLOW ? fewer : n);
-    return 0;
 }

@@ -1,7 +1,6 @@
 // Distances and nanoseconds a point of the furthest by cells and by the
 // hull, of both answers at once, and of all pairs in tiles, on points
 // that suit one of them and on points that suit none. One thread.
-//
 //     kinds [POINTS [TRIALS]]
 #include "common/experiment.h"
 
@@ -14,10 +13,7 @@ static const struct {
 static const char *const kinds[] = {
     "uniform", "clustered",    "lattice", "collinear",
     "kuzmin",  "two-clusters", "circle"};
-enum {
-    WAYS = sizeof ways / sizeof *ways,
-    KINDS = sizeof kinds / sizeof *kinds
-};
+enum { WAYS = COUNT_OF(ways) };
 
 static void print_kind(const char *kind, uint32_t n, int trials)
 {
@@ -52,7 +48,6 @@ int main(int argc, char **argv)
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     columns(&e, "name n cells_distances cells:3 hull_distances hull:3"
                 " both_distances both:3 tiles_distances tiles:3");
-    for (int k = 0; k < KINDS; k++)
+    for (int k = 0; k < COUNT_OF(kinds); k++)
         print_kind(kinds[k], n, trials);
-    return 0;
 }

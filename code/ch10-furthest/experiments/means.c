@@ -1,7 +1,6 @@
 // The mean distances of uniform points in both geometries, with the
 // time that both answers took on all processors; or the histogram of
 // the furthest.
-//
 //     means means|histogram [POINTS [SETS]]
 #include "common/experiment.h"
 
@@ -102,5 +101,4 @@ int main(int argc, char **argv)
         print_means(sums, n, sets);
     else
         print_histograms(sums);
-    return 0;
 }

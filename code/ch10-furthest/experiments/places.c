@@ -1,7 +1,5 @@
 // From the middle of every cell in the lower half of a grid, how many
 // cells the corner trick looks at.
-//
-//     places
 #include "ch04-cell-sort/sorted.h"
 #include "ch10-furthest/border.h"
 #include "common/experiment.h"
@@ -36,5 +34,4 @@ int main(int argc, char **argv)
                       cells_outside(grid, middle(&grid->x, column),
                                     middle(&grid->y, row)),
                       column + 1 < grid->x.count ? ' ' : '\n');
-    return 0;
 }

@@ -2,7 +2,6 @@
 // regions, of both answers in one go, and of the nearest by row spans,
 // on one thread, from a thousand points on: in the standard geometry
 // and, for those who know it, with wraparound.
-//
 //     sizes [MOST]
 #include "common/experiment.h"
 
@@ -18,7 +17,7 @@ static const struct {
               {"row-spans", WRAPAROUND, NEAREST},
               {"furthest-cells", WRAPAROUND, FURTHEST},
               {"near-and-far", WRAPAROUND, NEAREST | FURTHEST}};
-enum { CURVES = sizeof curves / sizeof *curves, SEVERAL = 1000000 };
+enum { CURVES = COUNT_OF(curves), SEVERAL = 1000000 };
 
 static void print_points(uint32_t n)
 {
@@ -47,5 +46,4 @@ int main(int argc, char **argv)
                 " spans_wrapped:3 cells_wrapped:3 both_wrapped:3");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         print_points(n);
-    return 0;
 }

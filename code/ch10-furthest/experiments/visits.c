@@ -1,7 +1,6 @@
 // Cells with points and distances for a point, in both geometries, of
 // uniform points: expected where only one corner matters, or with
 // wraparound far from any seam, and counted.
-//
 //     visits [MOST [SETS]]
 #include "ch10-furthest/experiments/expected_far.h"
 #include "ch10-furthest/furthest_cells.h"
@@ -73,5 +72,4 @@ int main(int argc, char **argv)
         print_visits(STANDARD, n, sets);
     for (uint32_t n = 1000; n <= most; n *= 10)
         print_visits(WRAPAROUND, n, sets);
-    return 0;
 }

@@ -2,7 +2,6 @@
 // border and the corner trick find: for points of every kind, and for
 // many sets of uniform points, in grids of two points a cell or as the
 // coursework's, of sqrt(n).
-//
 //     wrong [POINTS [SETS]]
 #include "ch04-cell-sort/sorted.h"
 #include "ch10-furthest/border.h"
@@ -11,7 +10,6 @@
 static const char *const kinds[] = {"uniform",   "clustered",
                                     "collinear", "circle",
                                     "kuzmin",    "two-clusters"};
-enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static double wrong_share(const struct answers *found,
                           const struct answers *right, uint32_t n)
@@ -56,7 +54,7 @@ int main(int argc, char **argv)
     int sets = parameter(&e, "SETS", 100, 1, MANY);
     columns(&e, "name n sets c edge corner broken");
     char name[40];
-    for (int k = 0; k < KINDS; k++) {
+    for (int k = 0; k < COUNT_OF(kinds); k++) {
         sprintf(name, "wrong_%s", kinds[k]);
         print_wrong(name, kinds[k], n, sqrt(n), 1);
     }
@@ -64,5 +62,4 @@ int main(int argc, char **argv)
         sprintf(name, "sets_c%d", c);
         print_wrong(name, "uniform", SMALL, c, sets);
     }
-    return 0;
 }
