@@ -1,4 +1,5 @@
-// Lines of at most 63 letters fit any terminal.
+// The manual, line by line, and lists made from the tables. Lines of at
+// most 63 letters fit any terminal.
 #include "near/help.h"
 #include "algorithms.h"
 #include "common/generate.h"

@@ -16,7 +16,7 @@ struct options {
     enum geometry geometry;
     bool has_box;
     double box[4];       // x0, y0, x1, y1, if it has one
-    int threads, trials; // threads: 0, if nobody asked for so many
+    int threads, trials; // threads: 0: as many as are worth it
     const char *output;  // file for the answers, "-": standard output
     bool timing, check, list, help;
 };

@@ -1,4 +1,5 @@
-// Looks at all answers once more, for what a user should know of them.
+// Looks at all answers once more, for what a user should know of them:
+// squares beyond the range of a double, and the mean distances.
 #include "near/summary.h"
 #include <float.h>
 #include <inttypes.h>

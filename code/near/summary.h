@@ -1,4 +1,5 @@
-// What near says when it is done.
+// What near says when it is done: a warning, if squares of distances
+// left the range of a double, and a summary.
 #pragma once
 #include "common/question.h"
 #include "near/options.h"

@@ -1,4 +1,5 @@
-// Decides how many threads work, and whether they can be had.
+// Decides how many threads work, and tries whether they can be had,
+// before any work is done.
 #include "near/threads.h"
 #include "common/fail.h"
 #include <omp.h>

@@ -1,4 +1,5 @@
-// The threads that near works with.
+// The threads that near works with: how many are worth it, and how they
+// wait for each other.
 #pragma once
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 // A k-d tree of the Computational Geometry Algorithms Library
 // (Tangelder and Fabri), for points of the plane in double precision,
 // each with its number. The tree keeps the coordinates in the order of
-// its leaves. TBB's threads build it, OpenMP's ask it.
+// its leaves. TBB's threads build it, OpenMP's query it.
 #include "peers/peer.h"
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -48,8 +48,8 @@ void *build(const place *from, uint32_t n, int leaf, int threads)
     return made;
 }
 
-// The two nearest, one of whom is the point itself, unless others are
-// in the same place: then anybody else is at the right distance.
+// The two nearest, one of which is the point itself, unless others are
+// in the same place: then any other is at the right distance.
 void query(void *made, int threads, uint32_t *nearest, double *nearest2)
 {
     const built &here = *static_cast<built *>(made);

@@ -1,10 +1,9 @@
 // All nearest neighbors of the same points by the programs of this book
 // and by four libraries, one thread and all; the points as they come,
-// and in an order that suits every search.
+// and in an order that suits every search. For 1000, 10000, ... LARGEST
+// points; few points get three times the TRIALS, and programs that
+// would take more than SECONDS get fewer.
 //     compare [LARGEST [TRIALS [SECONDS]]]
-// for 1,000, 10,000, ... LARGEST points, with so many trials, three
-// times as many for few points, and fewer where a program would be at
-// it for more than so many SECONDS.
 #include "common/experiment.h"
 #include "peers/contest.h"
 #include "peers/results.h"

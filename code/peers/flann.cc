@@ -1,7 +1,7 @@
 // The library of Muja and Lowe, known for approximate answers in many
 // dimensions; for few and exact ones it has a single k-d tree, which
-// copies the points in the order of its leaves. It asks all points by
-// itself, threads included.
+// copies the points in the order of its leaves. It queries all points
+// by itself, threads included.
 #include "peers/peer.h"
 #include <flann/algorithms/dist.h>
 #include <flann/algorithms/kdtree_single_index.h>

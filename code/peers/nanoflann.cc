@@ -1,7 +1,7 @@
 // A k-d tree in one header (Blanco and Rai, 2014), made for two
 // dimensions by its templates. Its search takes any receiver of points
 // that has the functions below; ours keeps the best and refuses the
-// point that asks, which costs less than the two nearest and is as
+// query itself, which costs less than the two nearest and is as
 // exact.
 #include "peers/peer.h"
 #include <limits>

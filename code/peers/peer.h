@@ -1,5 +1,5 @@
 // A library by others that finds nearest neighbors, behind four
-// functions, so that all of them can be asked alike and timed apart.
+// functions, so that all are used alike, and timed apart.
 // The points are where the library likes them best, x beside y. A point
 // is not its own neighbor; which of several that tie, is up to the
 // library.
@@ -18,8 +18,8 @@ struct peer {
     // The structure over n points, which stay where they are.
     void *(*build)(const place *point, uint32_t n, int leaf,
                    int threads);
-    // Who is nearest to each point, in the order of the points, and
-    // how far, squared.
+    // The nearest to each point, in the order of the points, and its
+    // squared distance.
     void (*query)(void *built, int threads, uint32_t *nearest,
                   double *nearest2);
     void (*discard)(void *built);

@@ -1,4 +1,5 @@
-// See results.h.
+// See results.h. The driver of experiments prints the cells, so that
+// the table looks like all others.
 #include "peers/results.h"
 #include "common/experiment.h"
 

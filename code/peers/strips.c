@@ -1,4 +1,5 @@
-// See strips.h.
+// See strips.h. One sort by x, then one by y in each strip: O(n log n)
+// with the C library's qsort.
 #include "peers/strips.h"
 #include "common/fail.h"
 #include <math.h>

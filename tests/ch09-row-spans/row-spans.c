@@ -111,10 +111,10 @@ static void counts_as_expected(void)
     const double c = POINTS_PER_SPAN_CELL;
     struct counts counts = count_uniform(n, 2);
     test_seed(4);
-    CHECK_NEAR(expected_alone(c), (double)counts.tasks / n,
-               0.06 * expected_alone(c), "exact queries");
-    CHECK_NEAR(expected_shown(c), (double)counts.distances / n,
-               0.02 * expected_shown(c), "distances a point");
+    CHECK_NEAR(expected_exact(c), (double)counts.tasks / n,
+               0.06 * expected_exact(c), "exact queries");
+    CHECK_NEAR(expected_candidates(c), (double)counts.distances / n,
+               0.02 * expected_candidates(c), "distances a point");
 }
 
 static void counts_of_any_threads(void)

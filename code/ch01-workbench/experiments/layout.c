@@ -1,6 +1,5 @@
-// One query point asks a hundred thousand points for their distance,
-// and counts those within a radius: the same loop over three layouts of
-// the points, and once more with a square root in it.
+// Counts the points within a radius of one query: the same loop over
+// three layouts of the points, and once more with a square root in it.
 //     layout [POINTS [TRIALS]]
 #include "common/experiment.h"
 

@@ -1,4 +1,5 @@
-// See rows.h. The work of a trial is one call.
+// See rows.h. The work of a trial is one call, for a question that the
+// driver keeps.
 #include "ch02-all-pairs/experiments/rows.h"
 
 struct run {

@@ -1,4 +1,5 @@
 // Times a rows_function on the first rows of a question, on one thread.
+// Several trials may write into the same answers.
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "common/experiment.h"

@@ -1,4 +1,5 @@
-// See bench.h.
+// See bench.h. A search is found by its name, and the context of its
+// trial is the bench.
 #include "ch04-cell-sort/experiments/bench.h"
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"

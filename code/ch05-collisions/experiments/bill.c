@@ -118,7 +118,7 @@ static void print_row(const struct row *row, struct line line)
     row_end();
 }
 
-// What the line says of one point, or one loser; nobody timed it.
+// What the line says of one point, or one loser; it was not timed.
 static void print_price(const char *name, int losers, double ns)
 {
     row("%s\tnan\t%d\t%d\t%.4g\tnan\tnan\tnan\tnan\tnan\tnan\tnan\tnan"

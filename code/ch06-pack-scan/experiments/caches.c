@@ -1,4 +1,5 @@
-// See caches.h.
+// See caches.h. Linux has a folder for each cache, with a file for its
+// level, its type and its size.
 #include "ch06-pack-scan/experiments/caches.h"
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,4 +1,5 @@
-// See workload.h.
+// See workload.h. A run goes over its arrays so often that it handles
+// a million elements or so, however short they are.
 #include "ch06-pack-scan/experiments/workload.h"
 
 enum { MOST_TABLES = 3 }; // priced in turn

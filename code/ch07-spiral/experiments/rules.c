@@ -1,9 +1,8 @@
-// Compare rules for phase two.
-// What phase two visits: one layer more than phase one, as the report
-// estimates; as many layers as it is cells to the first point found, as
-// it says; whole layers, as far as D reaches; the cells that meet the
-// square; or those that meet it while it shrinks with every better
-// point. Distances and cells a point, and how many answers are wrong.
+// Compares rules for phase two: one layer more than phase one, as the
+// report estimates; as many layers as it is cells to the first point
+// found, as it says; whole layers, as far as D reaches; the cells that
+// meet the square; or those that meet it while it shrinks with every
+// better point. Distances and cells a point, and wrong answers.
 //     rules [POINTS]
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"

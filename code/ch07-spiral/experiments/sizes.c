@@ -1,9 +1,8 @@
 // Distances a point for one and for two points to a cell, and the time
-// of the search that the table has, with the queries as the points come
-// and in the order of the cells: over several sets of points. And how
-// many points fill the caches, if each query goes at random for what
-// the search reads of a point: two coordinates, an index, where a cell
-// begins.
+// of the table's search, with the queries as the points come and in the
+// order of the cells: over several sets of points. And how many points
+// fill the caches, at the bytes that a search reads of a point: two
+// coordinates, an index, where a cell begins.
 //     sizes [MOST [SETS]]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "ch07-spiral/experiments/census.h"

@@ -1,4 +1,5 @@
-// Prices beside those of the primitives, in nanoseconds.
+// Prices in nanoseconds of what is not in a table of primitives, for
+// the bill of a search, line by line.
 #pragma once
 #include "ch06-pack-scan/experiments/workload.h"
 

@@ -1,4 +1,5 @@
-// See versions.h.
+// See versions.h. Those in step differ in their kernels; the one point
+// by point has its queries in another order than the table's.
 #include "ch08-vector-spiral/experiments/versions.h"
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/by_primitives.h"

@@ -1,4 +1,5 @@
-// See expected_spans.h.
+// See expected_spans.h. Lengths are in sides of a cell. In a row of
+// cells the gaps between points are exponential, with mean 1/c.
 #include "ch09-row-spans/experiments/expected_spans.h"
 #include <math.h>
 
@@ -6,7 +7,7 @@
 // beyond, and the columns are begun and ended where cells are. The
 // middle row has the eight and what 3 cells hold, the other two what
 // 7/c + 3 hold.
-double expected_shown(double c)
+double expected_candidates(double c)
 {
     return 22 + 9 * c;
 }
@@ -32,7 +33,6 @@ static double end_exceeds(double c, int k, double t)
     return sum / PLACES;
 }
 
-//> Average over lanes and margins
 // The probability that lane's margin exceeds r >= 1.
 static double margin_exceeds(double c, int lane, double r)
 {
@@ -59,8 +59,7 @@ static double expected_outside(double c)
 
 // The squared distances of the two nearest differ by less than 2^-12 of
 // the smaller with about this probability.
-double expected_alone(double c)
+double expected_exact(double c)
 {
     return expected_outside(c) + 0x1p-12;
 }
-//<

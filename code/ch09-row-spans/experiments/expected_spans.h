@@ -1,11 +1,11 @@
 // Expected values for points scattered evenly over a plane without
-// borders, c of them in a cell, when eight ask together.
+// borders, c of them in a cell, when eight queries are a batch.
 #pragma once
 
-// Distances computed for a point: the candidates in a table.
-double expected_shown(double c);
+// Distances computed for a point: the candidates of its batch.
+double expected_candidates(double c);
 
-// The share of points that must ask alone, because somebody outside the
-// block may be nearer, or somebody in it is as near as rounding lets us
-// see.
-double expected_alone(double c);
+// The share of points that need an exact query of their own, because a
+// point outside the block may be nearer, or one in it is as near as
+// rounding can tell.
+double expected_exact(double c);

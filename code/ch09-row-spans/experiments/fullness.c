@@ -6,7 +6,7 @@
 #include "ch09-row-spans/row_spans.h"
 #include "common/experiment.h"
 
-struct halves {
+struct stages {
     struct question question;
     double c;
     struct workspace kept, scratch; // the partition's, and what is free
@@ -16,17 +16,17 @@ struct halves {
 
 static void sort(void *context)
 {
-    struct halves *h = context;
-    struct mark mark = workspace_mark(&h->scratch);
-    partition_make(&h->question, h->c, RESTORE, &h->scratch);
-    workspace_release(&h->scratch, mark);
+    struct stages *s = context;
+    struct mark mark = workspace_mark(&s->scratch);
+    partition_make(&s->question, s->c, RESTORE, &s->scratch);
+    workspace_release(&s->scratch, mark);
 }
 
 static void search(void *context)
 {
-    struct halves *h = context;
-    search_row_spans(&h->question, &h->partition, &h->scratch,
-                     h->answers);
+    struct stages *s = context;
+    search_row_spans(&s->question, &s->partition, &s->scratch,
+                     s->answers);
 }
 
 static const struct {
@@ -38,17 +38,18 @@ static const struct {
              {"c_four", 4},   {"c_six", 6}};
 enum { SIZES = COUNT_OF(sizes) };
 
-static void print_size(const char *name, struct halves *h,
+static void print_size(const char *name, struct stages *s,
                        const struct trial trials[2])
 {
-    const uint32_t n = h->question.points.n;
-    double c = (double)n / grid_cells(&h->partition.sorted.grid);
+    const uint32_t n = s->question.points.n;
+    double c = (double)n / grid_cells(&s->partition.sorted.grid);
     struct counts counts = {0};
-    h->question.counts = &counts;
-    search(h);
+    s->question.counts = &counts;
+    search(s);
     row_of_times(trials, 2, n, "%s\t%g\t%.5g\t%.5g\t%.4g\t%.4g", name,
-                 h->c, (double)counts.distances / n, expected_shown(c),
-                 (double)counts.tasks / n, expected_alone(c));
+                 s->c, (double)counts.distances / n,
+                 expected_candidates(c), (double)counts.tasks / n,
+                 expected_exact(c));
 }
 
 int main(int argc, char **argv)
@@ -56,23 +57,23 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 100000, 2, MANY);
     int count = parameter(&e, "TRIALS", 5, 1, MANY);
-    static struct halves halves[SIZES];
+    static struct stages stages[SIZES];
     struct trial trials[2 * SIZES];
     struct question question = uniform_question(WRAPAROUND, n, 1);
     struct answers *answers = new_answers(n, BOTH);
     for (int k = 0; k < SIZES; k++) {
-        struct halves *h = &halves[k];
-        h->question = question;
-        h->answers = answers;
-        h->c = sizes[k].c;
-        h->partition =
-            partition_make(&question, h->c, RESTORE, &h->kept);
-        trials[2 * k] = (struct trial){sort, h, .prepare = sort};
-        trials[2 * k + 1] = (struct trial){search, h};
+        struct stages *s = &stages[k];
+        s->question = question;
+        s->answers = answers;
+        s->c = sizes[k].c;
+        s->partition =
+            partition_make(&question, s->c, RESTORE, &s->kept);
+        trials[2 * k] = (struct trial){sort, s, .prepare = sort};
+        trials[2 * k + 1] = (struct trial){search, s};
     }
     time_in_turn(count, trials, 2 * SIZES);
     columns(&e, "name c distances expected alone alone_expected sort:3 "
                 "search:3");
     for (int k = 0; k < SIZES; k++)
-        print_size(sizes[k].name, &halves[k], &trials[2 * k]);
+        print_size(sizes[k].name, &stages[k], &trials[2 * k]);
 }

@@ -1,9 +1,8 @@
 // The whole time a point, sort and all, of the spiral search, of
 // chapter 4's best and of row spans, on one thread, from a thousand
-// points on; how many points fill the caches, if a search needs what
-// row spans keep of a point; how many pages of memory row spans give
-// back to the system with every run and get again in the next, if they
-// are given no workspace; and what they take if they are given one.
+// points on; how many points fill the caches; how many pages of memory
+// row spans give back with every run and get again in the next, and
+// their time if they keep them in a workspace.
 //     heights [MOST]
 #include "ch06-pack-scan/experiments/caches.h"
 #include "common/experiment.h"

@@ -1,9 +1,8 @@
 // Every step of a search by row spans, on one thread and on all
-// processors: fitting the grid, partition, searching, with results that
-// are taken straight to their places, batch by batch or chunk by chunk,
-// or go back by way of the records, or stay in the order of the cells;
-// beside chapter 4's sort and copy, and beside the floor, which is to
-// read every point once and to write every answer once.
+// processors, with results that go straight to their places, batch by
+// batch or chunk by chunk, or back by way of the records, or that stay
+// in the order of the cells; beside chapter 4's sort and copy, and
+// beside the floor: every point read, every answer written once.
 //     phases [POINTS [TRIALS]]
 #include "ch05-collisions/partition.h"
 #include "ch09-row-spans/row_spans.h"

@@ -1,12 +1,13 @@
-// See expected_far.h.
+// See expected_far.h. Lengths are in sides of a cell; what is expected
+// is averaged over a lattice of places in the query's cell.
 #include "ch10-furthest/experiments/expected_far.h"
 #include <math.h>
 
 enum { PLACES = 64, REACH = 12 };
 
 // Of those seen in a direction (right, up), cells counted from the
-// corner: row by row, each as long as no point seen before is
-// further than all that is in the cell. Those further are in a triangle, of
+// corner: row by row, each as long as no point seen before is further
+// than all that is in the cell. Those further are in a triangle, of
 // which only the rows up to its own have been seen.
 static double cells_at_corner(double c, double right, double up)
 {

@@ -1,4 +1,6 @@
-// Expected counts for n points scattered evenly over the unit square.
+// Expected counts for n points scattered evenly over the unit square:
+// a cell is visited unless some point seen before is further than all
+// of it.
 #pragma once
 #include "common/question.h"
 

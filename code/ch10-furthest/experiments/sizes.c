@@ -1,7 +1,7 @@
 // The whole time a point of the furthest by cells, by the hull and by
 // regions, of both answers in one go, and of the nearest by row spans,
 // on one thread, from a thousand points on: in the standard geometry
-// and, for those who know it, with wraparound.
+// and, where a search knows it, with wraparound.
 //     sizes [MOST]
 #include "common/experiment.h"
 
