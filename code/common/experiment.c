@@ -1,4 +1,3 @@
-//> Drive an experiment
 // Reads the parameters, heads the table and prints its rows. A row that
 // cannot be written ends the program at once: a table that took an hour
 // is not lost without a word at its end.
@@ -9,7 +8,6 @@
 #include <inttypes.h>
 #include <stdarg.h>
 
-//> Read the parameters of an experiment
 struct experiment experiment_begin(int argc, char **argv)
 {
     const char *slash = argc > 0 ? strrchr(argv[0], '/') : NULL;
@@ -32,9 +30,7 @@ uint32_t parameter(struct experiment *experiment, const char *name,
              name, least, most, text);
     return (uint32_t)number;
 }
-//<
 
-//> Head the table
 void columns(const struct experiment *experiment, const char *names)
 {
     static const char *const endings[] = {"", "_q1", "_q3", "_min",
@@ -55,9 +51,7 @@ void columns(const struct experiment *experiment, const char *names)
     }
     row_end();
 }
-//<
 
-//> Print a row
 static void print_cells(const char *format, va_list arguments)
 {
     char cells[1000];
@@ -99,9 +93,7 @@ void row(const char *format, ...)
     va_end(arguments);
     row_end();
 }
-//<
 
-//> Print medians and quartiles
 void row_times(const struct summary *summary, double divisor)
 {
     printf("\t%.4g\t%.4g\t%.4g", summary->median / divisor,
@@ -125,9 +117,7 @@ void row_of_times(const struct trial *trials, int count, double divisor,
         row_times(&trials[k].summary, divisor);
     row_end();
 }
-//<
 
-//> Make a question to experiment with
 static struct taken {
     void *memory;
     struct taken *before;
@@ -214,5 +204,3 @@ uint32_t next_size(uint32_t n)
         power *= 10;
     return (n / power < 3 ? 3 : 10) * power;
 }
-//<
-//<

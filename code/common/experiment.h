@@ -1,4 +1,3 @@
-//> Declare the driver of experiments
 // An experiment measures something and prints a table: where the
 // numbers come from, in lines that begin with #; the names of the
 // columns; and rows, each of which begins with its name, a word that
@@ -109,4 +108,3 @@ struct trial search_trial(search_function *search,
 
 // The next of the numbers of points 1000, 3000, 10000, 30000, ...
 uint32_t next_size(uint32_t n);
-//<

@@ -1,5 +1,5 @@
-//> Tell where the numbers come from
-// See report.h. What cannot be found out is called unknown.
+// See report.h. Linux tells its machine in files, under /proc and /sys;
+// what cannot be found out is called unknown.
 #include "common/report.h"
 #include <stdbool.h>
 #include <stdlib.h>
@@ -17,7 +17,6 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
-//> Ask the machine for its name
 // A name without a number, like "AMD EPYC", is that of many processors:
 // then the family and the model say which.
 static void processor(char name[static 160])
@@ -39,9 +38,7 @@ static void processor(char name[static 160])
         snprintf(name + length, 160 - length, " (family %d, model %d)",
                  family, model);
 }
-//<
 
-//> Ask the system for its caches
 // What a file of one line says about a cache of the first processor.
 static bool cache_says(int k, const char *what, char word[static 16])
 {
@@ -74,9 +71,7 @@ static void print_caches(FILE *out)
     }
     fprintf(out, "%s\n", separator[0] ? "" : "unknown");
 }
-//<
 
-//> Head a table with its provenance
 void report_provenance(FILE *out)
 {
     char cpu[160], date[32];
@@ -93,5 +88,3 @@ void report_provenance(FILE *out)
     fprintf(out, "# flags: %s\n", BUILD_FLAGS);
     fprintf(out, "# date: %s\n", date);
 }
-//<
-//<

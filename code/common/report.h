@@ -1,4 +1,3 @@
-//> Declare the head of a table
 // Says on what machine, with which compiler and flags, and when the
 // numbers below it were measured: lines that begin with '#'. Rows below
 // it begin with a word.
@@ -6,4 +5,3 @@
 #include <stdio.h>
 
 void report_provenance(FILE *out);
-//<
