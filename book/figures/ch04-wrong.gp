@@ -11,7 +11,7 @@ set logscale x 2
 set logscale y
 set xrange [0.22:4.5]
 set yrange [1e-8:1]
-set format y powers
+set format y (format eq "dumb" ? "%g" : powers)
 set xlabel "points in a cell, c"
 set ylabel "share of wrong neighbors" offset -0.5
 set key top right

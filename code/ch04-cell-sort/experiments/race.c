@@ -16,9 +16,12 @@ static const struct {
     const char *name;
     search_function *search;
 } runners[] = {
-    {"all_pairs", tiles},        {"by_queries", queries},
-    {"by_lists", cells_lists},   {"by_indices", cells_indices},
-    {"by_sorted", cells_sorted}, {"by_cells", cells_batched},
+    {"tiles", tiles},
+    {"queries", queries},
+    {"cells_lists", cells_lists},
+    {"cells_indices", cells_indices},
+    {"cells_sorted", cells_sorted},
+    {"cells", cells_batched},
 };
 
 int main(int argc, char **argv)
