@@ -7,6 +7,7 @@
 #include "common/fail.h"
 #include <stdlib.h>
 
+//> Begin with the worst keys
 struct bests bests_begin(uint32_t n)
 {
     struct bests bests = {allocate(n, sizeof *bests.near),
@@ -18,6 +19,7 @@ struct bests bests_begin(uint32_t n)
     }
     return bests;
 }
+//<
 
 void bests_free(struct bests *bests)
 {

@@ -7,10 +7,10 @@
 #include "ch02-all-pairs/pair.h"
 #include "ch03-half-pairs/best.h"
 
+//> Offer every distance to both ends
 typedef void offer_function(struct best *best, double key,
                             uint32_t index);
 
-//> Offer every distance to both ends
 // Called by all threads of a parallel region, which share the rows.
 INLINED void share_rows(const enum geometry geometry,
                         const struct question *question,

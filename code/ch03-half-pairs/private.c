@@ -46,9 +46,10 @@ void triangle_private(const struct question *question,
             omp_get_thread_num() == 0 ? *answers : answers_allocate(n);
         triangle_begin(mine, n);
 #pragma omp for schedule(monotonic : runtime)
-        for (uint32_t i = 0; i < n; i++)
+        for (uint32_t i = 0; i < n; i++) {
             triangle_row(question, mine, i);
-            //> Merge what the threads have found
+        }
+        //> Merge what the threads have found
 #pragma omp for
         for (uint32_t i = 0; i < n; i++)
             for (int t = 1; t < omp_get_num_threads(); t++)

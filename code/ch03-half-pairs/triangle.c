@@ -48,6 +48,7 @@ INLINED void row(const enum geometry geometry,
 }
 //<
 
+//> Make the geometry a constant of the row
 void triangle_row(const struct question *question,
                   struct answers *answers, uint32_t i)
 {
@@ -56,6 +57,7 @@ void triangle_row(const struct question *question,
     else
         row(WRAPAROUND, question, answers, i);
 }
+//<
 
 //> Walk down the triangle
 void triangle(const struct question *question, struct answers *answers)

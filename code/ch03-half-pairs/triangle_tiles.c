@@ -147,6 +147,7 @@ INLINED void share(const enum geometry geometry,
 }
 //<
 
+//> Search in tiles of the triangle
 void triangle_tiles(const struct question *question,
                     struct answers *answers)
 {
@@ -158,4 +159,5 @@ void triangle_tiles(const struct question *question,
         share(WRAPAROUND, question, bests, answers);
     bests_free(&bests);
 }
+//<
 //<
