@@ -1,4 +1,4 @@
 #!/bin/sh
-# All pairs and half the pairs, nanoseconds a pair
+# All pairs and half the pairs, nanoseconds an ordered pair
 # demo: table
 exec "$BUILD/ch03/speed" ${FULL:+12000 11}

@@ -1,6 +1,6 @@
 # The time of the triangular loop with private answers, by schedule and
 # chunk, with quartiles; side by side where they would cover each other.
-# alt: Nanoseconds a pair over the rows in a chunk. Static and dynamic
+# alt: Nanoseconds an ordered pair over the rows in a chunk. Static and dynamic
 # chunks lie together below, guided ones far above, at the line for one
 # block each.
 height = 2.6
@@ -8,7 +8,7 @@ load "book/figures/style.gp"
 table = data . "/ch03-schedules.tsv"
 set logscale x 2
 set xlabel "rows in a chunk"
-set ylabel "nanoseconds a pair"
+set ylabel "nanoseconds an ordered pair"
 set xrange [0.7:1500]
 stats table using "ns_q1" nooutput
 set yrange [0.9*STATS_min:*]
