@@ -120,6 +120,7 @@ INLINED void queries(const enum geometry geometry,
 SPECIALIZE(queries)
 //<
 
+//> Answer with blocks of any size
 void tiles_blocked_rows(const struct question *question,
                         struct answers *answers, uint32_t begin,
                         uint32_t end, uint32_t block)
@@ -139,6 +140,7 @@ void tiles_rows(const struct question *question,
 {
     tiles_blocked_rows(question, answers, begin, end, BLOCK);
 }
+//<
 
 //> Share out the tiles among threads
 void tiles(const struct question *question, struct answers *answers)

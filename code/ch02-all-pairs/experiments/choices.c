@@ -4,6 +4,7 @@
 #include "ch02-all-pairs/experiments/choices.h"
 #include "ch02-all-pairs/first.h"
 
+//> Search with the distance as a parameter
 INLINED void loop(const struct question *question,
                   struct answers *answers, uint32_t begin, uint32_t end,
                   measure_function *measure)
@@ -25,6 +26,7 @@ INLINED void loop(const struct question *question,
         answers->furthest2[i] = far2;
     }
 }
+//<
 
 static measure_function *chosen(const struct question *question)
 {

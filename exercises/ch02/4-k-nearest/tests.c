@@ -90,7 +90,7 @@ static void check(struct points points, uint32_t i, uint32_t k)
                       points, {i, neighbors[p]}, {i, sorted[p].index}});
 }
 
-// Asks for some points of a set, the first and the last among them.
+// Calls it for some points of a set, the first and the last among them.
 static void check_some(const char *distribution, uint32_t n, uint32_t k,
                        uint64_t seed)
 {
