@@ -35,6 +35,7 @@ INLINED void search(const enum geometry geometry, const struct map *map,
 }
 //<
 
+//> Choose the copy of the geometry
 void search_spiral(const struct question *question,
                    const struct grid *grid, const struct cells *cells,
                    const uint32_t *order, struct answers *answers)
@@ -45,6 +46,7 @@ void search_spiral(const struct question *question,
     else
         search(WRAPAROUND, &map, question, order, answers);
 }
+//<
 
 //> Sort, then search in spirals
 void spiral(const struct question *question, struct answers *answers)

@@ -27,6 +27,7 @@ struct spiral_query {
 };
 //<
 
+//> Begin a search
 static inline struct spiral_query spiral_query_at(const struct map *map,
                                                   uint32_t i)
 {
@@ -39,12 +40,15 @@ static inline struct spiral_query spiral_query_at(const struct map *map,
                                  .column = axis_cell(&map->grid->x, x),
                                  .row = axis_cell(&map->grid->y, y)};
 }
+//<
 
+//> Declare what is done at a cell
 // What to do at a cell: visit_cell, or what an experiment puts around
 // it. A constant at every call, so that it is compiled into the loops.
 typedef void spiral_visit(const enum geometry geometry,
                           const struct map *map, uint32_t cell,
                           struct spiral_query *query);
+//<
 
 //> Visit a cell
 // Compares all its points but the query itself. Ties go to the lowest

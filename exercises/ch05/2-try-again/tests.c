@@ -116,7 +116,7 @@ static const char *cause(struct points_in points, uint32_t cell)
                "counted is overwritten. They need the scratch array.";
     if (found == right.twice)
         return "Losers collide with each other, too: one more round "
-               "is not enough, go on until nobody loses.";
+               "is not enough, go on until none loses.";
     if (found == right.losers)
         return "Only the losers were counted: in each round the "
                "winners are counted, and the losers remain.";

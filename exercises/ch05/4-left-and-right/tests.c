@@ -103,8 +103,8 @@ static const char *count_cause(struct result right, uint32_t found)
         return "Some points were counted more than once: does every "
                "thread count only its own, and from zero?";
     return "Not all points on the left were counted. Threads that add "
-           "to one variable lose updates, and who sums before "
-           "everybody has counted sums too few: it takes a barrier.";
+           "to one variable lose updates, and a sum taken before "
+           "all have counted is too small: it takes a barrier.";
 }
 
 static const char *place_cause(uint32_t n, const uint32_t *found,
@@ -120,7 +120,7 @@ static const char *place_cause(uint32_t n, const uint32_t *found,
             return "A point is on the wrong side. A thread's right "
                    "ones "
                    "stand behind the left ones of all threads, and "
-                   "everybody waits until all counts are summed.";
+                   "every thread waits until all counts are summed.";
     if (lost < n)
         return kit_text("Point %u stands nowhere. If it was placed, "
                         "then something else in the same place: was "
@@ -147,7 +147,7 @@ static void judge(uint32_t n, int threads, const uint32_t *lefts,
                   .found = "none does",
                   .cause = i >= n / threads * threads
                                ? "n / threads is rounded down, and the "
-                                 "last points are nobody's."
+                                 "last points have no thread."
                                : "Each point has to be some thread's.");
     if (*lefts != right.lefts)
         WRONG(.expected = kit_text("%u on the left", right.lefts),

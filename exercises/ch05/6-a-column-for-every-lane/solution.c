@@ -42,7 +42,7 @@ void sort_by_cell(uint32_t n, const uint32_t *cell)
         scatter(COUNTS, lanes, column, place);
     }
     //- starter
-    // // Your turn. So far lanes share counts, and nobody is placed.
+    // // Your turn. So far lanes share counts, and no point is placed.
     // uint32_t at[LANES], count[LANES], lanes;
     // for (uint32_t i = 0; i < n; i += lanes) {
     //     lanes = n - i < LANES ? n - i : LANES;

@@ -155,9 +155,9 @@ static const char *order_cause(struct input input)
     if (notes->scans != 1)
         return scan_cause();
     if (all_unset(found, input.n))
-        return "Nobody was placed.";
+        return "No point was placed.";
     if (lost < input.n && lost >= input.n / LANES * LANES)
-        return kit_text("Point %u is nobody's: is n / LANES rounded "
+        return kit_text("Point %u has no lane: is n / LANES rounded "
                         "down?",
                         lost);
     if (lost < input.n)

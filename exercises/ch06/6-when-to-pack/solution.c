@@ -17,7 +17,7 @@ void work_off(uint32_t lanes, uint32_t price)
         }
     }
     //- starter
-    // // Your turn. So far: nobody is ever packed away.
+    // // Your turn. So far no lane is ever packed away.
     // uint32_t alive = lanes;
     // while (alive > 0)
     //     alive = step();

@@ -335,7 +335,7 @@ static void any_lifetimes(uint64_t seed)
 }
 
 // The one that hurts: all but one are finished after a step, and
-// nobody knows how long the one will last.
+// it is not known how long the one will last.
 static void one_survivor(uint64_t seed)
 {
     (void)seed;

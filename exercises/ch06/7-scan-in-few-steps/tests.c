@@ -95,7 +95,7 @@ static void report_fault(void)
     if (record->fault == NONE)
         return;
     const char *found =
-        record->fault == UNKNOWN ? "a sum that nobody has made"
+        record->fault == UNKNOWN ? "a sum that was never made"
         : record->fault == TOO_MANY
             ? "a million joins, and no end"
             : kit_text("%s on the left, %s on the right",
@@ -206,7 +206,7 @@ static void check_price(uint32_t n, uint64_t joins, uint32_t steps)
                                 (uintmax_t)record->joins, depth),
               .cause = anew ? fault_causes[TOO_MANY]
                             : "Few steps, but in most of them "
-                              "everybody joins something. Join pairs, "
+                              "every lane joins something. Join pairs, "
                               "and only the pairs take part in what "
                               "follows.");
     kit_next_case();

@@ -1,5 +1,5 @@
-// A spiral search from the cell nearest to the stranger. Cells have
-// gaps to the stranger, whether he stands in the grid or not.
+// A spiral search from the cell nearest to the query. Cells have
+// gaps to the query, whether it stands in the grid or not.
 #include "exercise.h"
 #include <math.h>
 
@@ -38,13 +38,13 @@ static int meets(const struct grid *grid, int64_t column, int64_t row,
 
 //- starter
 //- end
-struct found ask(const struct grid *grid, double x, double y)
+struct found nearest_point(const struct grid *grid, double x, double y)
 {
     //- solution
     int64_t column = nearest_to(grid->column_border, grid->columns, x);
     int64_t row = nearest_to(grid->row_border, grid->rows, y);
     int64_t last = grid->columns + grid->rows;
-    struct found best = {NOBODY, INFINITY};
+    struct found best = {NO_INDEX, INFINITY};
     double square2 = INFINITY; // until phase one is over
     for (int64_t k = 0; k < last; k++) {
         for (int64_t r = row - k; r <= row + k; r++) {
@@ -54,13 +54,13 @@ struct found ask(const struct grid *grid, double x, double y)
                     r < grid->rows && meets(grid, c, r, x, y, square2))
                     best = better(best, look(c, r));
         }
-        if (square2 == INFINITY && best.nearest != NOBODY)
+        if (square2 == INFINITY && best.nearest != NO_INDEX)
             square2 = best.nearest2;
     }
     return best;
     //- starter
     // // Your turn: this looks in the first column only.
-    // struct found best = {NOBODY, INFINITY};
+    // struct found best = {NO_INDEX, INFINITY};
     // for (uint32_t row = 0; row < grid->rows; row++) {
     //     struct found here = look(0, row);
     //     if (here.nearest2 + 0 * (x + y) < best.nearest2)

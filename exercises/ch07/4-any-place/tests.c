@@ -1,4 +1,4 @@
-// Tests of strangers who ask: answers, against a search over all
+// Tests of queries anywhere: answers, against a search over all
 // points, and the cells looked at, against what a spiral search may
 // look at.
 #include "common/geometry.h"
@@ -7,12 +7,12 @@
 #include "kit.h"
 #include <string.h>
 
-static struct points points, strangers;
+static struct points points, queries;
 static struct grid grid;
 static uint32_t *column_of, *row_of; // of every point
-static uint32_t asking;
+static uint32_t current;
 
-// For every stranger the answer, and how often each cell was looked at;
+// For every query the answer, and how often each cell was looked at;
 // the last of these is for cells that there are not.
 static struct found *answers;
 static uint32_t *looks;
@@ -29,15 +29,15 @@ static uint32_t *looks_of(uint32_t i)
 
 static double between(uint32_t i, uint32_t j)
 {
-    return distance2(points.x[j] - strangers.x[i],
-                     points.y[j] - strangers.y[i]);
+    return distance2(points.x[j] - queries.x[i],
+                     points.y[j] - queries.y[i]);
 }
 
-// The nearest to stranger i in the columns and rows given.
+// The nearest to query i in the columns and rows given.
 static struct found search(uint32_t i, int64_t left, int64_t right,
                            int64_t bottom, int64_t top)
 {
-    struct found found = {NOBODY, INFINITY};
+    struct found found = {NO_INDEX, INFINITY};
     for (uint32_t j = 0; j < points.n; j++)
         if (column_of[j] >= left && column_of[j] <= right &&
             row_of[j] >= bottom && row_of[j] <= top &&
@@ -49,11 +49,11 @@ static struct found search(uint32_t i, int64_t left, int64_t right,
 struct found look(uint32_t column, uint32_t row)
 {
     if (column >= grid.columns || row >= grid.rows) {
-        looks_of(asking)[cells()]++;
-        return (struct found){NOBODY, INFINITY};
+        looks_of(current)[cells()]++;
+        return (struct found){NO_INDEX, INFINITY};
     }
-    looks_of(asking)[row * grid.columns + column]++;
-    return search(asking, column, column, row, row);
+    looks_of(current)[row * grid.columns + column]++;
+    return search(current, column, column, row, row);
 }
 
 // ---- the grid ------------------------------------------------------
@@ -101,12 +101,12 @@ static void invite(uint32_t n, double width, double height,
                    double times, uint64_t seed)
 {
     struct random random = {seed + 1};
-    strangers = room_for(n);
+    queries = room_for(n);
     for (uint32_t i = 0; i < n; i++) {
         double u = random_uniform(&random) - 0.5;
         double v = random_uniform(&random) - 0.5;
-        strangers.x[i] = width * (0.5 + times * u);
-        strangers.y[i] = height * (0.5 + times * v);
+        queries.x[i] = width * (0.5 + times * u);
+        queries.y[i] = height * (0.5 + times * v);
     }
 }
 
@@ -121,8 +121,8 @@ static double gap(const double *border, uint32_t k, double x)
 static double away(uint32_t i, uint32_t cell)
 {
     return fmax(
-        gap(grid.column_border, cell % grid.columns, strangers.x[i]),
-        gap(grid.row_border, cell / grid.columns, strangers.y[i]));
+        gap(grid.column_border, cell % grid.columns, queries.x[i]),
+        gap(grid.row_border, cell / grid.columns, queries.y[i]));
 }
 
 struct phases {
@@ -134,12 +134,12 @@ struct phases {
 static struct phases phases_of(uint32_t i)
 {
     struct phases p = {
-        cell_of(grid.column_border, grid.columns, strangers.x[i]),
-        cell_of(grid.row_border, grid.rows, strangers.y[i]),
+        cell_of(grid.column_border, grid.columns, queries.x[i]),
+        cell_of(grid.row_border, grid.rows, queries.y[i]),
         -1,
-        {NOBODY, INFINITY},
-        {NOBODY, INFINITY}};
-    while (p.first.nearest == NOBODY) {
+        {NO_INDEX, INFINITY},
+        {NO_INDEX, INFINITY}};
+    while (p.first.nearest == NO_INDEX) {
         p.layer++;
         p.first = search(i, p.column - p.layer, p.column + p.layer,
                          p.row - p.layer, p.row + p.layer);
@@ -162,23 +162,23 @@ static int64_t layer_of(const struct phases *p, uint32_t cell)
 
 static const char *tell(struct found found)
 {
-    if (found.nearest == NOBODY)
-        return "nobody";
+    if (found.nearest == NO_INDEX)
+        return "none";
     return kit_text("%s, squared distance %.17g",
                     kit_point(points, found.nearest), found.nearest2);
 }
 
 static bool outside(uint32_t i)
 {
-    return strangers.x[i] < 0 || strangers.y[i] < 0 ||
-           strangers.x[i] > grid.column_border[grid.columns] ||
-           strangers.y[i] > grid.row_border[grid.rows];
+    return queries.x[i] < 0 || queries.y[i] < 0 ||
+           queries.x[i] > grid.column_border[grid.columns] ||
+           queries.y[i] > grid.row_border[grid.rows];
 }
 
-static const char *tell_asking(uint32_t i)
+static const char *tell_query(uint32_t i)
 {
-    return kit_text("a stranger at (%.9g, %.9g), %s %u by %u cells",
-                    strangers.x[i], strangers.y[i],
+    return kit_text("a query at (%.9g, %.9g), %s %u by %u cells",
+                    queries.x[i], queries.y[i],
                     outside(i) ? "outside of" : "in", grid.columns,
                     grid.rows);
 }
@@ -191,7 +191,7 @@ static const char *wrong_cause(uint32_t i, struct found right)
         row_of[right.nearest] * grid.columns + column_of[right.nearest];
     bool looked_at = looks_of(i)[cell] > 0;
     if (looked_at && found.nearest2 == right.nearest2)
-        return "These tie: the lower index is asked for, whichever "
+        return "These tie: the lower index is wanted, whichever "
                "cell was looked at first.";
     if (looked_at)
         return "Its cell was looked at, and then it was forgotten: is "
@@ -199,7 +199,7 @@ static const char *wrong_cause(uint32_t i, struct found right)
     if (found.nearest2 == right.nearest2)
         return "These tie, and the cell of the lower index just "
                "touches the square: the edge belongs to it.";
-    if (found.nearest == NOBODY)
+    if (found.nearest == NO_INDEX)
         return "The search ended before anybody was found. Go on as "
                "long as there are cells.";
     if (found.nearest == p.first.nearest)
@@ -209,30 +209,30 @@ static const char *wrong_cause(uint32_t i, struct found right)
         return "One layer more is not always enough: look as far as D "
                "reaches.";
     return "Its cell was never looked at, though it meets the square "
-           "of side 2D around the stranger.";
+           "of side 2D around the query.";
 }
 
 static void check(void)
 {
-    uint32_t n = strangers.n;
+    uint32_t n = queries.n;
     answers = kit_output("the answers", n, sizeof *answers);
     looks = kit_output("the looks", (size_t)n * (cells() + 1),
                        sizeof *looks);
     memset(looks, 0, (size_t)n * (cells() + 1) * sizeof *looks);
-    CALL(for (asking = 0; asking < n; asking++) answers[asking] =
-             STUDENT(ask)(&grid, strangers.x[asking],
-                          strangers.y[asking]));
+    CALL(for (current = 0; current < n; current++) answers[current] =
+             STUDENT(nearest_point)(&grid, queries.x[current],
+                          queries.y[current]));
     for (uint32_t i = 0; i < n; i++) {
         struct found right = search(i, 0, grid.columns, 0, grid.rows);
         if (looks_of(i)[cells()] > 0)
-            WRONG(.where = tell_asking(i),
+            WRONG(.where = tell_query(i),
                   .expected = "looks at cells of the grid",
                   .found = "a look at a cell that there is not",
                   .cause = "A layer may stick out of the grid. Only "
                            "the part inside has cells.");
         if (answers[i].nearest != right.nearest ||
             answers[i].nearest2 != right.nearest2)
-            WRONG(.where = tell_asking(i), .expected = tell(right),
+            WRONG(.where = tell_query(i), .expected = tell(right),
                   .found = tell(answers[i]),
                   .cause = wrong_cause(i, right));
     }
@@ -243,10 +243,10 @@ static void check(void)
 static void check_once(void)
 {
     check();
-    for (uint32_t i = 0; i < strangers.n; i++)
+    for (uint32_t i = 0; i < queries.n; i++)
         for (uint32_t k = 0; k < cells(); k++)
             if (looks_of(i)[k] > 1)
-                WRONG(.where = tell_asking(i),
+                WRONG(.where = tell_query(i),
                       .expected =
                           kit_text("one look at cell (%u, %u)",
                                    k % grid.columns, k / grid.columns),
@@ -259,14 +259,14 @@ static void check_once(void)
 static void check_square(void)
 {
     check_once();
-    for (uint32_t i = 0; i < strangers.n; i++) {
+    for (uint32_t i = 0; i < queries.n; i++) {
         struct phases p = phases_of(i);
         double d2 = p.first.nearest2;
         for (uint32_t k = 0; k < cells(); k++) {
             if (looks_of(i)[k] == 0 || layer_of(&p, k) <= p.layer ||
                 away(i, k) * away(i, k) <= d2)
                 continue;
-            WRONG(.where = tell_asking(i),
+            WRONG(.where = tell_query(i),
                   .expected = kit_text(
                       "layers 0 to %d around (%u, %u), then cells at "
                       "most D = %.6g away",
@@ -283,7 +283,7 @@ static void check_square(void)
     }
 }
 
-// ---- the strangers -------------------------------------------------
+// ---- the queries -------------------------------------------------
 
 static void inside(uint64_t seed)
 {
@@ -312,7 +312,7 @@ static void from_outside(uint64_t seed)
     check();
 }
 
-// A lattice, and strangers between its points, on them and on borders.
+// A lattice, and queries between its points, on them and on borders.
 static void ties(uint64_t seed)
 {
     enum { SIDE = 9, N = SIDE * SIDE };
@@ -325,12 +325,12 @@ static void ties(uint64_t seed)
     }
     for (uint32_t count = 4; count <= 16; count *= 2) {
         lay(set, SIDE - 1, SIDE - 1, count, count);
-        strangers = room_for(25 * 25);
-        for (uint32_t i = 0; i < strangers.n; i++) {
-            strangers.x[i] = i % 25 / 2.0 - 2;
-            strangers.y[i] = i / 25 / 2.0 - 2;
+        queries = room_for(25 * 25);
+        for (uint32_t i = 0; i < queries.n; i++) {
+            queries.x[i] = i % 25 / 2.0 - 2;
+            queries.y[i] = i / 25 / 2.0 - 2;
         }
-        kit_given("81 points of a lattice, and 625 strangers");
+        kit_given("81 points of a lattice, and 625 queries");
         check();
     }
 }
@@ -358,10 +358,10 @@ static void square(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"inside", 2, "strangers in the grid", inside},
-    {"outside", 2, "strangers outside, few points, one row",
+    {"inside", 2, "queries in the grid", inside},
+    {"outside", 2, "queries outside, few points, one row",
      from_outside},
-    {"ties", 2, "ties, and strangers on borders", ties},
+    {"ties", 2, "ties, and queries on borders", ties},
     {"once", 2, "no cell is looked at twice", once},
     {"square", 2, "layers of phase one, then the square", square},
     {0},

@@ -1,4 +1,4 @@
-# In every step everybody joins, and the distance doubles.
+# In every step all lanes join, and the distance doubles.
 # expect: Few steps, but
 # why: It is the scan of Hillis and Steele, found in every course on graphics processors.
 /^{/,/^}/c\

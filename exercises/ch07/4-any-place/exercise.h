@@ -1,4 +1,4 @@
-// Exercise: a stranger asks
+// Exercise: a query anywhere
 #pragma once
 #include <stdint.h>
 
@@ -11,16 +11,16 @@ struct grid {
     const double *row_border;    // [0 .. rows], rising
 };
 
-#define NOBODY UINT32_MAX
+#define NO_INDEX UINT32_MAX
 struct found {
-    uint32_t nearest; // NOBODY: none
+    uint32_t nearest; // NO_INDEX: none
     double nearest2;  // its squared distance; INFINITY: none
 };
 
-// The point of a cell that is nearest to the stranger, the lowest index
+// The point of a cell that is nearest to the query, the lowest index
 // if several tie. Given; it counts.
 struct found look(uint32_t column, uint32_t row);
 
-// The point nearest to a stranger at (x, y), who may stand anywhere;
+// The point nearest to a query at (x, y), which may be anywhere;
 // the lowest index if several tie. There is a point.
-struct found ask(const struct grid *grid, double x, double y);
+struct found nearest_point(const struct grid *grid, double x, double y);
