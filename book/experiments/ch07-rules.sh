@@ -1,4 +1,4 @@
 #!/bin/sh
-# Four rules for where phase two looks, and their wrong answers
+# Five rules for where phase two looks, and their wrong answers
 # demo: table
 exec "$BUILD/ch07/rules" ${FULL:+1000000}

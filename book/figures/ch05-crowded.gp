@@ -1,5 +1,5 @@
 # Nanoseconds a point for the cell sort of points of all kinds, on all
-# processors: where the points crowd, atomics queue and the partition is one.
+# processors: where the points crowd, atomics queue and a bucket is large.
 # alt: Nanoseconds a point of four sorts for five kinds of points. The
 # atomic one grows with the crowd to many times the others, which stay
 # about level.

@@ -1,5 +1,5 @@
 # Distances a point over the points in a cell: expected, counted, by
-# four simpler rules, and by the report's formula.
+# three simpler rules, and by the report's formula.
 # alt: Distances a point over the points in a cell. The circles of the
 # exact rule lie on the expected curve; all simpler rules are above it,
 # and the formula as printed is furthest from it.

@@ -1,5 +1,5 @@
-# Time a point over the number of points, asked as they come and in the
-# order of the cells. Dots: medians; lines: from the quartiles to the
+# Time a point over the number of points, queries as they come and in
+# the order of the cells. Dots: medians; lines: from the quartiles to the
 # extremes. Vertical: where what is read fills the caches.
 # alt: Nanoseconds a point over the number of points, both axes
 # logarithmic. The queries as they come take ever longer than those in
