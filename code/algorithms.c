@@ -11,7 +11,7 @@
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch05-collisions/groups.h"
-#include "ch05-collisions/cells_threads.h"
+#include "ch05-collisions/partition.h"
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "ch09-row-spans/row_spans.h"
@@ -85,22 +85,6 @@ const struct algorithm *fastest_algorithm(enum geometry geometry,
             algorithms[row].answers & answer)
             return &algorithms[row];
     return NULL;
-}
-//<
-
-//> Keep only the answers that will be given
-struct answers answers_for(uint32_t n, unsigned given)
-{
-    struct answers answers = {0};
-    if (given & NEAREST) {
-        answers.nearest = allocate(n, sizeof *answers.nearest);
-        answers.nearest2 = allocate(n, sizeof *answers.nearest2);
-    }
-    if (given & FURTHEST) {
-        answers.furthest = allocate(n, sizeof *answers.furthest);
-        answers.furthest2 = allocate(n, sizeof *answers.furthest2);
-    }
-    return answers;
 }
 //<
 

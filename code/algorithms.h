@@ -5,8 +5,6 @@
 #pragma once
 #include "common/question.h"
 
-enum answer { NEAREST = 1, FURTHEST = 2 }; // bits of a set
-
 struct algorithm {
     const char *name;    // as in near -a NAME
     int chapter;         // where the book builds it
@@ -26,10 +24,6 @@ const struct algorithm *find_algorithm(const char *name);
 // The row to take where none is asked for; NULL if none fits.
 const struct algorithm *fastest_algorithm(enum geometry geometry,
                                           enum answer answer);
-
-// Room for the answers given, a set of enum answer; the arrays of the
-// others are NULL. Released with answers_free.
-struct answers answers_for(uint32_t n, unsigned given);
 
 // Runs the algorithm once and returns what it counted.
 struct counts count_operations(const struct algorithm *algorithm,

@@ -80,7 +80,7 @@ row avx512_pack avx512 pack 16
 ${CC:-cc} -std=c17 -O3 -ffp-contract=off -fopenmp -g -D_GNU_SOURCE \
     -Icode -o "$dir/branches" \
     code/ch06-pack-scan/experiments/branches.c \
-    code/ch06-pack-scan/primitives.c code/ch06-pack-scan/portable.c \
+    code/ch06-pack-scan/primitives.c \
     code/ch06-pack-scan/avx2.c code/ch06-pack-scan/avx512.c \
     code/common/*.c -lm
 NEAR_ISA=portable valgrind --tool=cachegrind --branch-sim=yes \

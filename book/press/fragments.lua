@@ -44,7 +44,6 @@ end
 
 -- The same in the instructions of AVX2 as is printed in those of AVX-512.
 local twins = {
-  ["code/ch06-pack-scan/avx2.h"] = true,
   ["code/ch06-pack-scan/avx2.c"] = true,
   ["code/ch08-vector-spiral/lanes_avx2.h"] = true,
   ["code/ch08-vector-spiral/fused_avx2.c"] = true,

@@ -100,9 +100,8 @@ INLINED void sweep(const enum geometry geometry,
     for (uint64_t j = begin; j < end; j++) {
         struct pair pair = pair2(geometry, question->space,
                                  p.x[j] - p.x[i], p.y[j] - p.y[i]);
-        best->near2 =
-            pair.near2 < best->near2 ? pair.near2 : best->near2;
-        best->far2 = pair.far2 > best->far2 ? pair.far2 : best->far2;
+        best->near2 = MIN(pair.near2, best->near2);
+        best->far2 = MAX(pair.far2, best->far2);
     }
 }
 //<
@@ -118,12 +117,11 @@ INLINED void blocks(const enum geometry geometry,
         struct pair best = {INFINITY, 0};
         uint64_t near_block = 0, far_block = 0;
         for (uint64_t block = 0; block < n; block += BLOCK) {
-            uint64_t stop = min_index(n, block + BLOCK);
+            uint64_t stop = MIN(n, block + BLOCK);
             //> Sweep a block and see whether it did better
             struct pair before = best;
-            sweep(geometry, question, i, block, min_index(stop, i),
-                  &best);
-            sweep(geometry, question, i, max_index(block, i + 1), stop,
+            sweep(geometry, question, i, block, MIN(stop, i), &best);
+            sweep(geometry, question, i, MAX(block, i + 1), stop,
                   &best);
             if (best.near2 < before.near2)
                 near_block = block;
@@ -156,10 +154,8 @@ INLINED void lane_sweep(const enum geometry geometry,
             struct pair pair =
                 pair2(geometry, space, x[j + lane] - t.x[lane],
                       y[j + lane] - t.y[lane]);
-            t.near2[lane] =
-                pair.near2 < t.near2[lane] ? pair.near2 : t.near2[lane];
-            t.far2[lane] =
-                pair.far2 > t.far2[lane] ? pair.far2 : t.far2[lane];
+            t.near2[lane] = MIN(pair.near2, t.near2[lane]);
+            t.far2[lane] = MAX(pair.far2, t.far2[lane]);
         }
     }
     //<
@@ -167,8 +163,8 @@ INLINED void lane_sweep(const enum geometry geometry,
     for (; j < end; j++) {
         struct pair pair =
             pair2(geometry, space, x[j] - t.x[0], y[j] - t.y[0]);
-        t.near2[0] = pair.near2 < t.near2[0] ? pair.near2 : t.near2[0];
-        t.far2[0] = pair.far2 > t.far2[0] ? pair.far2 : t.far2[0];
+        t.near2[0] = MIN(pair.near2, t.near2[0]);
+        t.far2[0] = MAX(pair.far2, t.far2[0]);
     }
     //<
     *tile = t;
@@ -191,12 +187,11 @@ INLINED void lanes(const enum geometry geometry,
             tile.y[lane] = p.y[i];
         }
         for (uint64_t block = 0; block < p.n; block += BLOCK) {
-            uint64_t stop = min_index(p.n, block + BLOCK);
+            uint64_t stop = MIN(p.n, block + BLOCK);
             struct tile before = tile;
-            lane_sweep(geometry, question, block, min_index(stop, i),
+            lane_sweep(geometry, question, block, MIN(stop, i), &tile);
+            lane_sweep(geometry, question, MAX(block, i + 1), stop,
                        &tile);
-            lane_sweep(geometry, question, max_index(block, i + 1),
-                       stop, &tile);
             tile_note(&before, &tile, block, &found);
         }
         //> Find the best of the lanes

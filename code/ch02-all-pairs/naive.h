@@ -6,5 +6,5 @@
 #include "common/question.h"
 
 // Nearest and furthest, both geometries.
-void naive(const struct question *question, struct answers *answers);
+search_function naive;
 //<

@@ -4,8 +4,13 @@
 // geometry.h: rounding keeps order, so that the smaller of two squares
 // is the square of the smaller.
 #pragma once
-#include "common/inlined.h"
 #include "common/question.h"
+
+//> Declare copies of a function
+// Makes a copy of a function at each of its calls. What is constant
+// there, such as the geometry, is constant in the copy.
+#define INLINED static inline __attribute__((always_inline))
+//<
 
 //> Hold both distances of a pair
 struct pair {
@@ -46,5 +51,11 @@ typedef void rows_function(const struct question *question,
         else                                                  \
             name(WRAPAROUND, question, answers, begin, end);  \
     }
+
+// Calls one of two copies of an INLINED function, that for the geometry
+// of the space.
+#define IN_GEOMETRY(space, function, ...)                           \
+    ((space).geometry == STANDARD ? function(STANDARD, __VA_ARGS__) \
+                                  : function(WRAPAROUND, __VA_ARGS__))
 //<
 //<

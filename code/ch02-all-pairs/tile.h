@@ -7,6 +7,7 @@
 // last bit, so compile with -ffp-contract=off.
 #pragma once
 #include "ch02-all-pairs/pair.h"
+#include "common/min_max.h"
 #include <assert.h>
 #include <stdbool.h>
 
@@ -31,16 +32,6 @@ struct winner {
     uint64_t near_block, far_block;
 };
 //<
-
-static inline uint64_t min_index(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-static inline uint64_t max_index(uint64_t a, uint64_t b)
-{
-    return a > b ? a : b;
-}
 
 //> Begin with nothing found
 static inline void tile_begin(struct tile *tile, struct blocks *blocks)

@@ -28,10 +28,8 @@ INLINED void sweep(const enum geometry geometry, const bool fused,
             double dy = fused ? difference(y[j], t.y[lane], one)
                               : y[j] - t.y[lane];
             struct pair pair = pair2(geometry, space, dx, dy);
-            t.near2[lane] =
-                pair.near2 < t.near2[lane] ? pair.near2 : t.near2[lane];
-            t.far2[lane] =
-                pair.far2 > t.far2[lane] ? pair.far2 : t.far2[lane];
+            t.near2[lane] = MIN(pair.near2, t.near2[lane]);
+            t.far2[lane] = MAX(pair.far2, t.far2[lane]);
         }
     }
     //<
@@ -53,45 +51,43 @@ INLINED void compare_within(const enum geometry geometry,
             struct pair pair =
                 pair2(geometry, question->space, p.x[j] - tile->x[lane],
                       p.y[j] - tile->y[lane]);
-            if (pair.near2 < tile->near2[lane])
-                tile->near2[lane] = pair.near2;
-            if (pair.far2 > tile->far2[lane])
-                tile->far2[lane] = pair.far2;
+            tile->near2[lane] = MIN(pair.near2, tile->near2[lane]);
+            tile->far2[lane] = MAX(pair.far2, tile->far2[lane]);
         }
     tile->distances += width * (width - 1);
 }
 //<
 
 //> Answer for one tile
-struct rows { // at most LANES queries, and the size of a block
+struct row_range { // at most LANES queries, and the size of a block
     uint32_t begin, end, block;
 };
 
 INLINED void search(const enum geometry geometry, const bool fused,
                     const struct question *question,
-                    struct answers *answers, const struct rows rows)
+                    struct answers *answers,
+                    const struct row_range rows)
 {
     const struct points p = question->points;
     const uint32_t i = rows.begin, size = rows.block;
-    const int width = min_index(LANES, rows.end - i);
+    const int width = MIN(LANES, rows.end - i);
     struct tile tile;
     struct blocks found;
     tile_begin(&tile, &found);
     // spare lanes repeat the last query
     for (int lane = 0; lane < LANES; lane++) {
-        tile.x[lane] = p.x[i + min_index(lane, width - 1)];
-        tile.y[lane] = p.y[i + min_index(lane, width - 1)];
+        tile.x[lane] = p.x[i + MIN(lane, width - 1)];
+        tile.y[lane] = p.y[i + MIN(lane, width - 1)];
     }
     for (uint64_t block = 0; block < p.n; block += size) {
-        uint64_t stop = min_index(p.n, block + size);
+        uint64_t stop = MIN(p.n, block + size);
         //> Sweep a block around the tile
         struct tile before = tile;
-        sweep(geometry, fused, question, block, min_index(stop, i),
-              &tile);
+        sweep(geometry, fused, question, block, MIN(stop, i), &tile);
         if (block <= i && i < stop)
             compare_within(geometry, question, i, width, &tile);
-        sweep(geometry, fused, question, max_index(block, i + width),
-              stop, &tile);
+        sweep(geometry, fused, question, MAX(block, i + width), stop,
+              &tile);
         tile_note(&before, &tile, block, &found);
         //<
     }
@@ -114,7 +110,7 @@ INLINED void queries(const enum geometry geometry,
     assert(begin % LANES == 0 && "a tile must lie in one block");
     for (uint64_t i = begin; i < end; i += LANES)
         search(geometry, false, question, answers,
-               (struct rows){i, end, BLOCK});
+               (struct row_range){i, end, BLOCK});
 }
 
 SPECIALIZE(queries)
@@ -127,12 +123,8 @@ void tiles_blocked_rows(const struct question *question,
 {
     assert(begin % LANES == 0 && block % LANES == 0);
     for (uint64_t i = begin; i < end; i += LANES)
-        if (question->space.geometry == STANDARD)
-            search(STANDARD, true, question, answers,
-                   (struct rows){i, end, block});
-        else
-            search(WRAPAROUND, true, question, answers,
-                   (struct rows){i, end, block});
+        IN_GEOMETRY(question->space, search, true, question, answers,
+                    (struct row_range){i, end, block});
 }
 
 void tiles_rows(const struct question *question,
@@ -150,8 +142,7 @@ void tiles(const struct question *question, struct answers *answers)
 #pragma omp parallel for num_threads(question->threads) schedule(static)
     for (uint32_t tile = 0; tile < count; tile++) {
         uint64_t begin = (uint64_t)tile * LANES;
-        tiles_rows(question, answers, begin,
-                   min_index(n, begin + LANES));
+        tiles_rows(question, answers, begin, MIN(n, begin + LANES));
     }
 }
 //<

@@ -9,7 +9,7 @@
 #include "ch02-all-pairs/pair.h"
 
 // Nearest and furthest, both geometries.
-void tiles(const struct question *question, struct answers *answers);
+search_function tiles;
 
 // The same on one thread, for some of the rows; begin must be a
 // multiple of 8. The second leaves all subtractions to the adders.

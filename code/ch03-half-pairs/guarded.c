@@ -33,20 +33,9 @@ INLINED void share_rows(const enum geometry geometry,
 }
 //<
 
-//> Choose the geometry once
-INLINED void share(const struct question *question, struct bests bests,
-                   offer_function *offer)
-{
-    if (question->space.geometry == STANDARD)
-        share_rows(STANDARD, question, bests, offer);
-    else
-        share_rows(WRAPAROUND, question, bests, offer);
-}
-//<
-
 //> Copy the bests into the answers
-static void hand_over(struct bests *bests, uint32_t n,
-                      struct answers *answers)
+static void copy_to_answers(struct bests *bests, uint32_t n,
+                            struct answers *answers)
 {
     for (uint32_t i = 0; i < n; i++) {
         answers->nearest[i] = bests->near[i].index;
@@ -64,8 +53,9 @@ void triangle_queue(const struct question *question,
 {
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
-    share(question, bests, offer_queue);
-    hand_over(&bests, question->points.n, answers);
+    IN_GEOMETRY(question->space, share_rows, question, bests,
+                offer_queue);
+    copy_to_answers(&bests, question->points.n, answers);
 }
 //<
 
@@ -75,8 +65,9 @@ void triangle_critical(const struct question *question,
 {
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
-    share(question, bests, offer_critical);
-    hand_over(&bests, question->points.n, answers);
+    IN_GEOMETRY(question->space, share_rows, question, bests,
+                offer_critical);
+    copy_to_answers(&bests, question->points.n, answers);
 }
 //<
 
@@ -86,8 +77,9 @@ void triangle_atomic(const struct question *question,
 {
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
-    share(question, bests, offer_atomic);
-    hand_over(&bests, question->points.n, answers);
+    IN_GEOMETRY(question->space, share_rows, question, bests,
+                offer_atomic);
+    copy_to_answers(&bests, question->points.n, answers);
 }
 //<
 //<

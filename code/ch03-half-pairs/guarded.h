@@ -7,15 +7,12 @@
 #include "common/question.h"
 
 // One thread at a time may look at a best: right, and slow.
-void triangle_queue(const struct question *question,
-                    struct answers *answers);
+search_function triangle_queue;
 
 // Look first, and queue only with something to change: a double check
 // whose first look is an atomic read.
-void triangle_critical(const struct question *question,
-                       struct answers *answers);
+search_function triangle_critical;
 
 // Every best is its own lock, taken by compare-and-swap.
-void triangle_atomic(const struct question *question,
-                     struct answers *answers);
+search_function triangle_atomic;
 //<

@@ -13,6 +13,5 @@ void triangle_private(const struct question *question,
                       int chunk);
 
 // With the schedule that the book settles on: dynamic, 32 rows a time.
-void triangle_reduction(const struct question *question,
-                        struct answers *answers);
+search_function triangle_reduction;
 //<

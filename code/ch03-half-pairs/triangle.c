@@ -52,10 +52,7 @@ INLINED void row(const enum geometry geometry,
 void triangle_row(const struct question *question,
                   struct answers *answers, uint32_t i)
 {
-    if (question->space.geometry == STANDARD)
-        row(STANDARD, question, answers, i);
-    else
-        row(WRAPAROUND, question, answers, i);
+    IN_GEOMETRY(question->space, row, question, answers, i);
 }
 //<
 

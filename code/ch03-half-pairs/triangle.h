@@ -16,5 +16,5 @@ void triangle_row(const struct question *question,
                   struct answers *answers, uint32_t i);
 
 // All rows on one thread: n (n-1) / 2 distances, no memory of its own.
-void triangle(const struct question *question, struct answers *answers);
+search_function triangle;
 //<

@@ -6,10 +6,8 @@
 // look finds the point.
 #include "ch03-half-pairs/triangle_tiles.h"
 #include "ch02-all-pairs/difference.h"
-#include "ch02-all-pairs/pair.h"
 #include "ch02-all-pairs/tile.h"
 #include "ch03-half-pairs/best.h"
-#include <stdbool.h>
 
 //> Fix the sizes of a tile
 enum { SIDE = 256 }; // a multiple of LANES
@@ -18,19 +16,6 @@ struct columns {
     double x[SIDE], y[SIDE];
     double near2[SIDE], far2[SIDE]; // the best so far
 };
-//<
-
-//> Choose without a branch
-// a and b in this order: where a is NAN, b stays.
-INLINED double lower(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-INLINED double higher(double a, double b)
-{
-    return a > b ? a : b;
-}
 //<
 
 //> Load the columns of a tile
@@ -72,17 +57,17 @@ INLINED struct pair measure(const enum geometry geometry,
             double dy = difference(columns->y[k + lane], y, one);
             struct pair pair = pair2(geometry, space, dx, dy);
             //> Improve both ends without a branch
-            low[lane] = lower(pair.near2, low[lane]);
-            high[lane] = higher(pair.far2, high[lane]);
-            near2[k + lane] = lower(pair.near2, near2[k + lane]);
-            far2[k + lane] = higher(pair.far2, far2[k + lane]);
+            low[lane] = MIN(pair.near2, low[lane]);
+            high[lane] = MAX(pair.far2, high[lane]);
+            near2[k + lane] = MIN(pair.near2, near2[k + lane]);
+            far2[k + lane] = MAX(pair.far2, far2[k + lane]);
             //<
         }
     //> Fold the lanes into one
     for (int half = LANES / 2; half > 0; half /= 2)
         for (int lane = 0; lane < half; lane++) {
-            low[lane] = lower(low[lane], low[lane + half]);
-            high[lane] = higher(high[lane], high[lane + half]);
+            low[lane] = MIN(low[lane], low[lane + half]);
+            high[lane] = MAX(high[lane], high[lane + half]);
         }
     return (struct pair){low[0], high[0]};
     //<
@@ -98,7 +83,7 @@ INLINED uint64_t tile(const enum geometry geometry,
     const struct points p = question->points;
     struct columns columns;
     load(&columns, p, left);
-    const uint64_t right = left + SIDE < p.n ? left + SIDE : p.n;
+    const uint64_t right = MIN(left + SIDE, p.n);
     uint64_t pairs = 0;
     //> Pass the rows over the columns
     for (uint64_t i = top; i < top + SIDE && i < p.n; i++) {
@@ -153,10 +138,7 @@ void triangle_tiles(const struct question *question,
 {
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
-    if (question->space.geometry == STANDARD)
-        share(STANDARD, question, bests, answers);
-    else
-        share(WRAPAROUND, question, bests, answers);
+    IN_GEOMETRY(question->space, share, question, bests, answers);
     bests_free(&bests);
 }
 //<

@@ -8,6 +8,5 @@
 #include "common/question.h"
 
 // Ties go to the lowest index.
-void triangle_tiles(const struct question *question,
-                    struct answers *answers);
+search_function triangle_tiles;
 //<

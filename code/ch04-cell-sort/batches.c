@@ -5,7 +5,6 @@
 #include "ch04-cell-sort/batches.h"
 #include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
-#include "common/clock.h"
 
 enum { BATCH = 4, STRIPE = 64, STRIPES_PER_CHUNK = 4 };
 
@@ -199,27 +198,17 @@ void search_batches(const struct question *question,
                     const struct sorted *sorted,
                     struct answers *answers)
 {
-    if (question->space.geometry == STANDARD)
-        search(STANDARD, question, sorted, answers);
-    else
-        search(WRAPAROUND, question, sorted, answers);
+    IN_GEOMETRY(question->space, search, question, sorted, answers);
 }
 //<
 
 //> Sort and search
-void sort_and_search(const struct question *question, cell_sort *sort,
-                     struct answers *answers)
-{
-    struct sorted sorted = sorted_make(question, POINTS_PER_CELL, sort);
-    answers->built_ns = clock_ns();
-    search_batches(question, &sorted, answers);
-    sorted_free(&sorted);
-}
-
 void cells_batched(const struct question *question,
                    struct answers *answers)
 {
-    sort_and_search(question, cells_sort_alone, answers);
+    struct sorted sorted = sorted_make(question, POINTS_PER_CELL);
+    search_batches(question, &sorted, answers);
+    sorted_free(&sorted);
 }
 //<
 //<

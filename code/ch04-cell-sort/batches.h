@@ -17,11 +17,6 @@ void search_batches(const struct question *question,
                     const struct sorted *sorted,
                     struct answers *answers);
 
-// Sorts the points in this way, and searches.
-void sort_and_search(const struct question *question, cell_sort *sort,
-                     struct answers *answers);
-
-// Sorts them on one thread.
-void cells_batched(const struct question *question,
-                   struct answers *answers);
+// The row of the table: sorts on one thread, and searches.
+search_function cells_batched;
 //<

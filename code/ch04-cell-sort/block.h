@@ -23,16 +23,6 @@ struct block {
 };
 //<
 
-static inline double least(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static inline double most(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 //> Find the interval of some cells
 // Of the cells begin .. end-1. It ends with the points, though cells
 // may go on beyond them.

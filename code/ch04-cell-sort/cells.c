@@ -49,7 +49,6 @@ struct cells cells_sort(const struct grid *grid, struct points points)
     struct cells cells = cells_allocate(m, points.n);
     uint32_t *cell = allocate(points.n, sizeof *cell);
     uint32_t *next = cells.start + 1; // the start of the next cell
-    memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
     histogram(grid, points, cell, next);
     cells_scan(next, m, 0);
     place(cell, points.n, next, cells.point);
@@ -60,8 +59,10 @@ struct cells cells_sort(const struct grid *grid, struct points points)
 
 struct cells cells_allocate(uint32_t m, uint32_t n)
 {
-    return (struct cells){allocate((size_t)m + 1, sizeof(uint32_t)),
+    struct cells cells = {allocate((size_t)m + 1, sizeof(uint32_t)),
                           allocate(n, sizeof(uint32_t))};
+    memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
+    return cells;
 }
 
 void cells_free(struct cells *cells)

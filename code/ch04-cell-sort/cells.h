@@ -17,7 +17,7 @@ struct cells {
 struct cells cells_sort(const struct grid *grid, struct points points);
 void cells_free(struct cells *cells);
 
-// For other ways to sort: room for n points in m cells, not yet set;
+// For other ways to sort: room for n points in m cells, all counts 0;
 // and the scan, which turns the counts of m cells into the places where
 // they begin, the first of them at first.
 struct cells cells_allocate(uint32_t m, uint32_t n);

@@ -3,6 +3,7 @@
 // each of its cells begins. O(n) for the box, a few steps a border.
 #include "ch04-cell-sort/grid.h"
 #include "common/allocate.h"
+#include "common/min_max.h"
 #include "common/workspace.h"
 #include <assert.h>
 #include <float.h>
@@ -33,18 +34,22 @@ static double begin_of(const struct axis *axis, double high, uint32_t k)
 //<
 
 //> Cut an axis
-// Border has room for count + 1.
-static struct axis cut(double low, double high, double period,
-                       uint32_t count, double *border)
+static struct axis cut(struct extent extent, double period,
+                       uint32_t count, struct workspace *workspace)
 {
+    const double low = extent.low, high = extent.high;
+    const size_t borders = (size_t)count + 1;
+    double *border =
+        workspace ? workspace_take(workspace, borders, sizeof *border)
+                  : allocate(borders, sizeof *border);
     double width = isfinite(period) ? period : high - low;
     struct axis axis = {count, low, count / width, border, period};
     if (!(isfinite(width) && isfinite(axis.scale)))
         axis = (struct axis){1, 0, 0, border, period}; // any x * 0 is 0
-    axis.border[0] = low;
+    border[0] = low;
     for (uint32_t k = 1; k < axis.count; k++)
-        axis.border[k] = begin_of(&axis, high, k);
-    axis.border[axis.count] = high;
+        border[k] = begin_of(&axis, high, k);
+    border[axis.count] = high;
     return axis;
 }
 //<
@@ -52,8 +57,7 @@ static struct axis cut(double low, double high, double period,
 struct axis axis_cut(double low, double high, double period,
                      uint32_t count)
 {
-    return cut(low, high, period, count,
-               allocate((size_t)count + 1, sizeof(double)));
+    return cut((struct extent){low, high}, period, count, NULL);
 }
 
 void axis_free(struct axis *axis)
@@ -67,8 +71,7 @@ void axis_free(struct axis *axis)
 // lane only.
 enum { LANES = 16 };
 
-static void extent(const double *values, uint32_t n, int threads,
-                   double *low, double *high)
+struct extent extent_of(const double *values, uint32_t n, int threads)
 {
     double lowest[LANES], highest[LANES];
     for (int k = 0; k < LANES; k++)
@@ -82,20 +85,19 @@ static void extent(const double *values, uint32_t n, int threads,
     for (uint32_t i = 0; i < whole; i += LANES)
         for (int k = 0; k < LANES; k++) {
             double value = values[i + k];
-            lowest[k] = value < lowest[k] ? value : lowest[k];
-            highest[k] = value > highest[k] ? value : highest[k];
+            lowest[k] = MIN(value, lowest[k]);
+            highest[k] = MAX(value, highest[k]);
         }
     //<
     for (uint32_t i = whole; i < n; i++) {
         lowest[0] = fmin(lowest[0], values[i]);
         highest[0] = fmax(highest[0], values[i]);
     }
-    *low = lowest[0];
-    *high = highest[0];
     for (int k = 1; k < LANES; k++) {
-        *low = fmin(*low, lowest[k]);
-        *high = fmax(*high, highest[k]);
+        lowest[0] = fmin(lowest[0], lowest[k]);
+        highest[0] = fmax(highest[0], highest[k]);
     }
+    return (struct extent){lowest[0], highest[0]};
 }
 //<
 
@@ -111,14 +113,6 @@ static uint32_t columns_of(double width, double height, double cells)
 }
 //<
 
-static double *borders_for(struct workspace *workspace, uint32_t count)
-{
-    const size_t borders = (size_t)count + 1;
-    return workspace
-               ? workspace_take(workspace, borders, sizeof(double))
-               : allocate(borders, sizeof(double));
-}
-
 //> Fit a grid to the points
 struct grid grid_fit_in(struct workspace *workspace,
                         const struct question *question, double c)
@@ -126,19 +120,17 @@ struct grid grid_fit_in(struct workspace *workspace,
     assert(c > 0 && "cells hold some points");
     const struct points p = question->points;
     const struct space space = question->space;
-    double left, right, bottom, top;
-    extent(p.x, p.n, question->threads, &left, &right);
-    extent(p.y, p.n, question->threads, &bottom, &top);
+    const struct extent x = extent_of(p.x, p.n, question->threads);
+    const struct extent y = extent_of(p.y, p.n, question->threads);
     bool wraps = space.geometry == WRAPAROUND;
-    double width = wraps ? space.width : right - left;
-    double height = wraps ? space.height : top - bottom;
+    double width = wraps ? space.width : x.high - x.low;
+    double height = wraps ? space.height : y.high - y.low;
     double cells = cells_for(p.n, c);
     uint32_t columns = columns_of(width, height, cells);
     uint32_t rows = fmax(1, floor(cells / columns));
-    return (struct grid){cut(left, right, wraps ? width : INFINITY,
-                             columns, borders_for(workspace, columns)),
-                         cut(bottom, top, wraps ? height : INFINITY,
-                             rows, borders_for(workspace, rows))};
+    return (struct grid){
+        cut(x, wraps ? width : INFINITY, columns, workspace),
+        cut(y, wraps ? height : INFINITY, rows, workspace)};
 }
 //<
 
@@ -152,4 +144,14 @@ void grid_free(struct grid *grid)
     axis_free(&grid->x);
     axis_free(&grid->y);
 }
+
+//> Find the cell of every point
+void find_cell_ids(const struct grid *grid, struct points points,
+                   uint32_t begin, uint32_t end, uint32_t *cell_id)
+{
+    const struct grid g = *grid; // a copy: cell_id cannot change it
+    for (uint32_t i = begin; i < end; i++)
+        cell_id[i] = grid_cell(&g, points.x[i], points.y[i]);
+}
+//<
 //<

@@ -45,6 +45,11 @@ static inline uint32_t grid_cell(const struct grid *grid, double x,
 }
 //<
 
+// Writes the cells of the points begin .. end - 1 to cell_id[begin] and
+// so on.
+void find_cell_ids(const struct grid *grid, struct points points,
+                   uint32_t begin, uint32_t end, uint32_t *cell_id);
+
 static inline uint32_t grid_cells(const struct grid *grid)
 {
     return grid->x.count * grid->y.count;
@@ -54,9 +59,15 @@ static inline uint32_t grid_cells(const struct grid *grid)
 // so few that twice as many, once round and on, count in 32 bits.
 static inline uint32_t cells_for(uint32_t n, double c)
 {
-    enum { MOST_CELLS = 1 << 30 };
-    return fmax(1, fmin(round(n / c), MOST_CELLS));
+    enum { MAX_CELLS = 1 << 30 };
+    return fmax(1, fmin(round(n / c), MAX_CELLS));
 }
+
+//> Hold an extent
+struct extent {
+    double low, high;
+};
+//<
 
 // Cuts the stretch from low to high, or if period is finite all of that
 // from low on, into count cells; into one if it is too short or too
@@ -64,6 +75,9 @@ static inline uint32_t cells_for(uint32_t n, double c)
 struct axis axis_cut(double low, double high, double period,
                      uint32_t count);
 void axis_free(struct axis *axis);
+
+// The least and the greatest of n >= 1 numbers, by so many threads.
+struct extent extent_of(const double *values, uint32_t n, int threads);
 
 // A grid of nearly square cells over the points, about n / c of them
 // and never more than n / c + 1, so that a cell holds c points on

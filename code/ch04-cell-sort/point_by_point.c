@@ -4,7 +4,6 @@
 // the block is widened. About 9 c distances for c points in a cell.
 #include "ch04-cell-sort/point_by_point.h"
 #include "ch04-cell-sort/visit.h"
-#include "common/clock.h"
 #include <stddef.h>
 
 enum { POINTS_PER_CHUNK = 256 };
@@ -55,24 +54,14 @@ INLINED void search(const enum geometry geometry,
 //<
 
 //> Search with each way to store cells
-INLINED void search_either(const struct question *question,
-                           const struct storage *storage,
-                           const uint32_t *order, visit_function *visit,
-                           struct answers *answers)
-{
-    if (question->space.geometry == STANDARD)
-        search(STANDARD, question, storage, order, visit, answers);
-    else
-        search(WRAPAROUND, question, storage, order, visit, answers);
-}
-
 void search_lists(const struct question *question,
                   const struct grid *grid, const struct lists *lists,
                   const uint32_t *order, struct answers *answers)
 {
     struct storage storage = {grid, lists, NULL, question->points,
                               NULL};
-    search_either(question, &storage, order, visit_list, answers);
+    IN_GEOMETRY(question->space, search, question, &storage, order,
+                visit_list, answers);
 }
 
 void search_indices(const struct question *question,
@@ -81,7 +70,8 @@ void search_indices(const struct question *question,
 {
     struct storage storage = {grid, NULL, cells, question->points,
                               NULL};
-    search_either(question, &storage, order, visit_indices, answers);
+    IN_GEOMETRY(question->space, search, question, &storage, order,
+                visit_indices, answers);
 }
 
 void search_sorted(const struct question *question,
@@ -89,7 +79,8 @@ void search_sorted(const struct question *question,
 {
     struct storage storage = {&sorted->grid, NULL, &sorted->cells,
                               sorted->points, sorted->cells.point};
-    search_either(question, &storage, NULL, visit_sorted, answers);
+    IN_GEOMETRY(question->space, search, question, &storage, NULL,
+                visit_sorted, answers);
 }
 //<
 
@@ -99,7 +90,7 @@ void cells_lists(const struct question *question,
 {
     struct grid grid = grid_fit(question, per_list);
     struct lists lists = lists_make(&grid, question->points);
-    answers->built_ns = clock_ns();
+    note_built(question);
     search_lists(question, &grid, &lists, NULL, answers);
     lists_free(&lists);
     grid_free(&grid);
@@ -110,7 +101,7 @@ void cells_indices(const struct question *question,
 {
     struct grid grid = grid_fit(question, per_cell);
     struct cells cells = cells_sort(&grid, question->points);
-    answers->built_ns = clock_ns();
+    note_built(question);
     search_indices(question, &grid, &cells, NULL, answers);
     cells_free(&cells);
     grid_free(&grid);
@@ -120,9 +111,7 @@ void cells_indices(const struct question *question,
 void cells_sorted(const struct question *question,
                   struct answers *answers)
 {
-    struct sorted sorted =
-        sorted_make(question, per_cell, cells_sort_alone);
-    answers->built_ns = clock_ns();
+    struct sorted sorted = sorted_make(question, per_cell);
     search_sorted(question, &sorted, answers);
     sorted_free(&sorted);
 }

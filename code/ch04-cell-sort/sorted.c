@@ -17,23 +17,15 @@ struct points points_in_order(struct points points,
 }
 //<
 
-struct cells cells_sort_alone(const struct grid *grid,
-                              struct points points, int threads)
-{
-    (void)threads;
-    return cells_sort(grid, points);
-}
-
 //> Fit, sort and copy
-struct sorted sorted_make(const struct question *question, double c,
-                          cell_sort *sort)
+struct sorted sorted_make(const struct question *question, double c)
 {
     const struct points points = question->points;
-    const int threads = question->threads;
     struct sorted sorted = {.grid = grid_fit(question, c)};
-    sorted.cells = sort(&sorted.grid, points, threads);
+    sorted.cells = cells_sort(&sorted.grid, points);
     sorted.points =
-        points_in_order(points, sorted.cells.point, threads);
+        points_in_order(points, sorted.cells.point, question->threads);
+    note_built(question);
     return sorted;
 }
 //<

@@ -13,19 +13,9 @@ struct sorted {
 };
 //<
 
-//> Name a way to sort
-// A way to sort points into the cells of a grid, with so many threads.
-typedef struct cells cell_sort(const struct grid *grid,
-                               struct points points, int threads);
-//<
-
-// cells_sort, which is done by one thread.
-cell_sort cells_sort_alone;
-
-// Fits a grid with c points in a cell on average, c > 0, sorts in this
-// way and copies the points. Released with sorted_free.
-struct sorted sorted_make(const struct question *question, double c,
-                          cell_sort *sort);
+// Fits a grid with c points in a cell on average, c > 0, sorts on one
+// thread and copies the points. Released with sorted_free.
+struct sorted sorted_make(const struct question *question, double c);
 void sorted_free(struct sorted *sorted);
 
 // The points in this order: a copy, made by so many threads, to be

@@ -27,13 +27,25 @@ INLINED struct query query_at(double x, double y, uint32_t self,
 //<
 
 //> Compare a query with a candidate
-INLINED void compare(struct query *q, uint32_t j, double distance2)
+INLINED void query_keep(struct query *q, uint32_t j, double distance2)
 {
     if (distance2 < q->best2 ||
         (distance2 == q->best2 && j < q->nearest)) {
         q->best2 = distance2;
         q->nearest = j;
     }
+}
+
+// With point j, whose coordinates are in place s, unless it is the
+// query itself.
+INLINED void compare(const enum geometry geometry, struct space space,
+                     struct points p, uint32_t s, uint32_t j,
+                     struct query *q)
+{
+    if (j != q->self)
+        query_keep(
+            q, j,
+            pair2(geometry, space, p.x[s] - q->x, p.y[s] - q->y).near2);
 }
 //<
 
@@ -62,16 +74,11 @@ INLINED void visit_list(const enum geometry geometry,
                         const struct storage *storage, uint32_t cell,
                         struct query *query)
 {
-    const struct points p = storage->points;
     const uint32_t *next = storage->lists->next;
     uint32_t j = storage->lists->head[cell];
     for (; j != NO_INDEX; j = next[j]) {
         query->compared++;
-        if (j != query->self)
-            compare(query, j,
-                    pair2(geometry, space, p.x[j] - query->x,
-                          p.y[j] - query->y)
-                        .near2);
+        compare(geometry, space, storage->points, j, j, query);
     }
 }
 //<
@@ -82,18 +89,12 @@ INLINED void visit_indices(const enum geometry geometry,
                            const struct storage *storage, uint32_t cell,
                            struct query *query)
 {
-    const struct points p = storage->points;
     const struct cells *cells = storage->cells;
     uint32_t end = cells->start[cell + 1];
     query->compared += end - cells->start[cell];
-    for (uint32_t s = cells->start[cell]; s < end; s++) {
-        uint32_t j = cells->point[s];
-        if (j != query->self)
-            compare(query, j,
-                    pair2(geometry, space, p.x[j] - query->x,
-                          p.y[j] - query->y)
-                        .near2);
-    }
+    for (uint32_t s = cells->start[cell]; s < end; s++)
+        compare(geometry, space, storage->points, cells->point[s],
+                cells->point[s], query);
 }
 //<
 
@@ -103,18 +104,12 @@ INLINED void visit_sorted(const enum geometry geometry,
                           const struct storage *storage, uint32_t cell,
                           struct query *query)
 {
-    const struct points p = storage->points;
     const struct cells *cells = storage->cells;
     uint32_t end = cells->start[cell + 1];
     query->compared += end - cells->start[cell];
-    for (uint32_t s = cells->start[cell]; s < end; s++) {
-        uint32_t j = cells->point[s];
-        if (j != query->self)
-            compare(query, j,
-                    pair2(geometry, space, p.x[s] - query->x,
-                          p.y[s] - query->y)
-                        .near2);
-    }
+    for (uint32_t s = cells->start[cell]; s < end; s++)
+        compare(geometry, space, storage->points, s, cells->point[s],
+                query);
 }
 //<
 

@@ -4,11 +4,9 @@
 // cell, the highest rank's, stays. One step for eight points, however
 // many of them collide.
 #include "ch05-collisions/conflict.h"
-#include "ch05-collisions/cell_ids.h"
 #include "common/fail.h"
 #include "common/isa.h"
 #include <stdlib.h>
-#include <string.h>
 
 enum { LANES = 8 };
 
@@ -163,7 +161,6 @@ struct cells cells_sort_conflict(const struct grid *grid,
     struct cells cells = cells_allocate(m, n);
     uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *count = cells.start + 1;
-    memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
     find_cell_ids(grid, points, 0, n, cell_id);
     conflict_count(cell_id, n, count);
     cells_scan(count, m, 0);

@@ -8,12 +8,9 @@
 // many.
 #include "ch05-collisions/groups.h"
 #include "ch04-cell-sort/batches.h"
-#include "ch05-collisions/cell_ids.h"
-#include "common/clock.h"
 #include "common/fail.h"
 #include <assert.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { CRAY_LANES = 64 };
 
@@ -141,7 +138,6 @@ struct cells cells_sort_groups(const struct grid *grid,
     struct cells cells = cells_allocate(m, n);
     uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *count = cells.start + 1;
-    memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
     find_cell_ids(grid, points, 0, n, cell_id);
     mine.collisions += groups_count(&groups, cell_id, n, count);
     cells_scan(count, m, 0);
@@ -164,7 +160,7 @@ void cells_groups(const struct question *question,
                                      question->counts);
     sorted.points =
         points_in_order(points, sorted.cells.point, question->threads);
-    answers->built_ns = clock_ns();
+    note_built(question);
     search_batches(question, &sorted, answers);
     sorted_free(&sorted);
 }

@@ -42,6 +42,5 @@ struct cells cells_sort_groups(const struct grid *grid,
                                struct counts *counts);
 
 // All nearest neighbors, sorted by groups of 64, a Cray's vector.
-void cells_groups(const struct question *question,
-                  struct answers *answers);
+search_function cells_groups;
 //<

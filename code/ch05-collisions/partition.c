@@ -4,9 +4,10 @@
 // read in streams, and written in as many streams as there are buckets
 // or into a cache. Two passes over the points, two over the records.
 #include "ch05-collisions/partition.h"
-#include "ch05-collisions/cell_ids.h"
+#include "ch04-cell-sort/batches.h"
 #include "ch05-collisions/shared.h"
 #include "common/chunk.h"
+#include "common/min_max.h"
 #include <string.h>
 
 //> Choose the width of a bucket
@@ -14,12 +15,12 @@
 // cells and what becomes of them are some 150 KB if there are 1.5 in
 // each: a small part of a second-level cache. A small grid is cut into
 // at least so many buckets, for the threads to share.
-enum { WIDEST_SHIFT = 11, FEWEST_BUCKETS = 128, STRIP = 512 };
+enum { MAX_SHIFT = 11, MIN_BUCKETS = 128, STRIP = 512 };
 
 static int bucket_shift(uint32_t m)
 {
-    int shift = WIDEST_SHIFT;
-    while (shift > 0 && m >> shift < FEWEST_BUCKETS)
+    int shift = MAX_SHIFT;
+    while (shift > 0 && m >> shift < MIN_BUCKETS)
         shift--;
     return shift;
 }
@@ -176,7 +177,7 @@ static struct partition take_result(uint32_t n, uint32_t m,
     sorted->points =
         (struct points){n, workspace_take(workspace, n, number),
                         workspace_take(workspace, n, number)};
-    if (restore == RESTORE) {
+    if (restore) {
         result.permutation = workspace_take(workspace, n, index);
         result.inverse = workspace_take(workspace, n, index);
     }
@@ -184,32 +185,21 @@ static struct partition take_result(uint32_t n, uint32_t m,
 }
 //<
 
-//> Take the arrays of the buckets
-// Above a mark: they are given up when the points are sorted.
-static void take_buckets(struct buckets *buckets,
-                         struct workspace *workspace)
-{
-    const size_t index = sizeof *buckets->next, count = buckets->count;
-    buckets->begin = workspace_take(workspace, count + 1, index);
-    buckets->next =
-        workspace_take(workspace, buckets->chunks * count, index);
-    buckets->record = workspace_take(workspace, buckets->points.n,
-                                     sizeof *buckets->record);
-}
-//<
-
 //> Add up the arrays of a partition
-// Both together, and a line for the rest of each array.
+// Both together, and a line for the rest of each array; or what stays
+// and the results, if they take more than the records, and two numbers
+// for each row.
 static size_t bytes_for(const struct buckets *buckets, uint32_t m,
                         enum restore restore)
 {
-    enum { ARRAYS = 9, LINE = 64 };
+    enum { ARRAYS = 9, LINE = 64, RESULT = 16 };
     const size_t index = sizeof(uint32_t), n = buckets->points.n;
-    const size_t point = sizeof *buckets->record + 2 * sizeof(double) +
-                         (restore == RESTORE ? 3 : 1) * index;
+    const size_t above = MAX(sizeof *buckets->record, restore * RESULT);
+    const size_t point =
+        above + 2 * sizeof(double) + (restore ? 3 : 1) * index;
     return n * point + ((size_t)m + 2) * index +
            ((size_t)buckets->chunks + 1) * buckets->count * index +
-           ARRAYS * LINE;
+           2 * (size_t)buckets->grid->y.count * index + ARRAYS * LINE;
 }
 //<
 
@@ -231,7 +221,14 @@ struct partition partition_points(const struct grid *grid,
         take_result(points.n, m, restore, workspace);
     result.sorted.grid = *grid;
     struct mark mark = workspace_mark(workspace);
-    take_buckets(&buckets, workspace);
+    //> Take the arrays of the buckets
+    // Above a mark: they are given up when the points are sorted.
+    const size_t index = sizeof *buckets.next, count = buckets.count;
+    buckets.begin = workspace_take(workspace, count + 1, index);
+    buckets.next = workspace_take(workspace, threads * count, index);
+    buckets.record =
+        workspace_take(workspace, points.n, sizeof *buckets.record);
+    //<
     sort_records(&buckets, &result);
     workspace_release(workspace, mark);
     return result;
@@ -243,7 +240,25 @@ struct partition partition_make(const struct question *question,
                                 struct workspace *workspace)
 {
     struct grid grid = grid_fit_in(workspace, question, c);
-    return partition_points(&grid, question->points, question->threads,
-                            restore, workspace);
+    struct partition result = partition_points(
+        &grid, question->points, question->threads, restore, workspace);
+    note_built(question);
+    return result;
 }
+
+//> Search the cells with threads
+static void partition_and_search(const struct question *question,
+                                 struct answers *answers)
+{
+    struct partition partition = partition_make(
+        question, POINTS_PER_CELL, NO_RESTORE, question->workspace);
+    search_batches(question, &partition.sorted, answers);
+}
+
+void cells_threads(const struct question *question,
+                   struct answers *answers)
+{
+    search_in_workspace(question, partition_and_search, answers);
+}
+//<
 //<

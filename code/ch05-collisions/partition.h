@@ -22,7 +22,9 @@ struct partition {
 };
 //<
 
-enum restore { NO_RESTORE, RESTORE }; // whether both are wanted
+// How many results, of 16 bytes a point, will want to come back: none,
+// one, or two.
+enum restore { NO_RESTORE, RESTORE, RESTORE_TWO };
 
 // Sorts the points into the cells of the grid: start, point and points
 // are what sorted_make gives, bit for bit. All arrays are taken from
@@ -39,4 +41,8 @@ struct partition partition_points(const struct grid *grid,
 struct partition partition_make(const struct question *question,
                                 double c, enum restore restore,
                                 struct workspace *workspace);
+
+// A row of the table: all nearest neighbors, by chapter 4's batches of
+// four, every step by all threads.
+search_function cells_threads;
 //<

@@ -4,7 +4,6 @@
 // and chunks tells each where its points go. The second keeps the order
 // of the points and costs m counts a thread.
 #include "ch05-collisions/shared.h"
-#include "ch05-collisions/cell_ids.h"
 #include "common/allocate.h"
 #include "common/chunk.h"
 #include <stdlib.h>
@@ -18,7 +17,6 @@ struct cells cells_sort_atomic(const struct grid *grid,
     struct cells cells = cells_allocate(m, n);
     uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *count = cells.start + 1;
-    memset(cells.start, 0, ((size_t)m + 1) * sizeof *cells.start);
 #pragma omp parallel for num_threads(threads)
     for (int k = 0; k < threads; k++) {
         uint32_t i = chunk_begin(n, k, threads);

@@ -3,9 +3,8 @@
 // long as they last; then the portable functions do the rest. A scan
 // takes three steps a vector (Kogge and Stone 1973), a pack one
 // permutation, which is computed by packing the lanes' numbers.
-#include "ch06-pack-scan/avx2.h"
+#include "ch06-pack-scan/primitives.h"
 #ifdef HAVE_X86_VECTORS
-#include "ch06-pack-scan/portable.h"
 #include <immintrin.h>
 #include <string.h>
 

@@ -2,9 +2,8 @@
 // Sixteen 32-bit numbers or eight doubles at a time. Loads and stores
 // of scan and pack have a mask of the lanes that they touch, so that
 // the last vector, which is seldom full, needs no loop of its own.
-#include "ch06-pack-scan/avx512.h"
+#include "ch06-pack-scan/primitives.h"
 #ifdef HAVE_X86_VECTORS
-#include "ch06-pack-scan/portable.h"
 #include <immintrin.h>
 #include <stddef.h>
 

@@ -5,6 +5,7 @@
 #include "ch06-pack-scan/blocked.h"
 #include "common/allocate.h"
 #include "common/chunk.h"
+#include "common/min_max.h"
 #include <assert.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -20,7 +21,7 @@ static uint32_t sum_of(const uint32_t *from, uint32_t n)
 //<
 
 //> Count the marks of a block
-static uint32_t ones(const uint8_t *keep, uint32_t n)
+static uint32_t count_marks(const uint8_t *keep, uint32_t n)
 {
     uint32_t sum = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -36,6 +37,14 @@ struct team {
     uint32_t *sums;  // of each thread's block; then, what is before it
     uint32_t before; // the sum of everything before this round
 };
+
+static struct team team_for(const struct rounds *rounds, uint32_t sum)
+{
+    const int threads = rounds->threads;
+    assert(rounds->block >= 1 && "rounds go on");
+    return (struct team){rounds->primitives, threads,
+                         allocate(threads, sizeof(uint32_t)), sum};
+}
 //<
 
 //> Find a thread's block in a round
@@ -80,23 +89,19 @@ static void scan_round(struct team *team, uint32_t *to,
 //<
 
 //> Scan in rounds
-uint32_t scan_blocked(const struct primitives *p, uint32_t *to,
-                      const uint32_t *from, uint32_t n, uint32_t sum,
-                      uint32_t block, int threads)
+uint32_t scan_blocked(const struct rounds *rounds, uint32_t *to,
+                      const uint32_t *from, uint32_t n, uint32_t sum)
 {
-    assert(block >= 1 && "rounds go on");
-    uint32_t *sums = allocate(threads, sizeof *sums);
-    struct team team = {p, threads, sums, sum};
-#pragma omp parallel num_threads(threads)
+    struct team team = team_for(rounds, sum);
+#pragma omp parallel num_threads(rounds->threads)
     {
 #pragma omp single
         team.threads = omp_get_num_threads(); // it may be fewer
-        uint64_t all = (uint64_t)block * team.threads;
+        uint64_t all = (uint64_t)rounds->block * team.threads;
         for (uint64_t i = 0; i < n; i += all)
-            scan_round(&team, to + i, from + i,
-                       n - i < all ? n - i : all);
+            scan_round(&team, to + i, from + i, MIN(n - i, all));
     }
-    free(sums);
+    free(team.sums);
     return team.before;
 }
 //<
@@ -124,7 +129,7 @@ static void pack_round(struct team *team, uint32_t *to,
                        uint32_t n)
 {
     struct piece my = piece_of(n, omp_get_thread_num(), team->threads);
-    uint32_t mine = ones(keep + my.begin, my.n);
+    uint32_t mine = count_marks(keep + my.begin, my.n);
     uint32_t before = sum_before(team, mine);
     pack_piece(team->p, to + before, from + my.begin, keep + my.begin,
                my.n);
@@ -132,23 +137,20 @@ static void pack_round(struct team *team, uint32_t *to,
 //<
 
 //> Pack in rounds
-uint32_t pack_blocked(const struct primitives *p, uint32_t *to,
+uint32_t pack_blocked(const struct rounds *rounds, uint32_t *to,
                       const uint32_t *from, const uint8_t *keep,
-                      uint32_t n, uint32_t block, int threads)
+                      uint32_t n)
 {
-    assert(block >= 1 && "rounds go on");
-    uint32_t *places = allocate(threads, sizeof *places);
-    struct team team = {p, threads, places, 0};
-#pragma omp parallel num_threads(threads)
+    struct team team = team_for(rounds, 0);
+#pragma omp parallel num_threads(rounds->threads)
     {
 #pragma omp single
         team.threads = omp_get_num_threads(); // it may be fewer
-        uint64_t all = (uint64_t)block * team.threads;
+        uint64_t all = (uint64_t)rounds->block * team.threads;
         for (uint64_t i = 0; i < n; i += all)
-            pack_round(&team, to, from + i, keep + i,
-                       n - i < all ? n - i : all);
+            pack_round(&team, to, from + i, keep + i, MIN(n - i, all));
     }
-    free(places);
+    free(team.sums);
     return team.before;
 }
 //<

@@ -7,14 +7,20 @@
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 
-// As p->scan, with blocks of at most that many numbers; block >= 1,
-// threads >= 1. to may be from.
-uint32_t scan_blocked(const struct primitives *p, uint32_t *to,
-                      const uint32_t *from, uint32_t n, uint32_t sum,
-                      uint32_t block, int threads);
+//> Say how rounds are made
+struct rounds {
+    const struct primitives *primitives;
+    uint32_t block; // numbers in a block at most, >= 1
+    int threads;    // >= 1
+};
+//<
 
-// The same, except that to and from must not overlap.
-uint32_t pack_blocked(const struct primitives *p, uint32_t *to,
+// As primitives->scan; to may be from.
+uint32_t scan_blocked(const struct rounds *rounds, uint32_t *to,
+                      const uint32_t *from, uint32_t n, uint32_t sum);
+
+// As primitives->pack, except that to and from must not overlap.
+uint32_t pack_blocked(const struct rounds *rounds, uint32_t *to,
                       const uint32_t *from, const uint8_t *keep,
-                      uint32_t n, uint32_t block, int threads);
+                      uint32_t n);
 //<

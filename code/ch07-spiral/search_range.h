@@ -8,7 +8,6 @@
 #pragma once
 #include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
-#include "common/inlined.h"
 #include "common/min_max.h"
 
 //> Declare the range and the box of a search

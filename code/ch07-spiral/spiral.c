@@ -4,7 +4,6 @@
 // two write to the same place.
 #include "ch07-spiral/spiral.h"
 #include "ch07-spiral/two_phases.h"
-#include "common/clock.h"
 #include <stddef.h>
 
 enum { POINTS_PER_CHUNK = 256 };
@@ -53,7 +52,7 @@ void spiral(const struct question *question, struct answers *answers)
 {
     struct grid grid = grid_fit(question, per_cell);
     struct cells cells = cells_sort(&grid, question->points);
-    answers->built_ns = clock_ns();
+    note_built(question);
     search_spiral(question, &grid, &cells, NULL, answers);
     cells_free(&cells);
     grid_free(&grid);

@@ -1,9 +1,10 @@
 //> Fuse the loops in AVX2
 // Eight tasks or visits at a time; doubles in two halves. Routes are
 // loads and stores for each lane, as in chapter 6.
-#include "ch08-vector-spiral/fused.h"
+#include "ch08-vector-spiral/spiral_kernels.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch08-vector-spiral/lanes_avx2.h"
+#include "ch08-vector-spiral/near2.h"
 #include <stdlib.h>
 
 //> Pack visits in registers
@@ -116,31 +117,6 @@ INLINED void enter_in(const enum geometry geometry,
 }
 //<
 
-//> Measure four distances
-USE_AVX2
-INLINED __m256d other_way(__m256d d, double period)
-{
-    const __m256d sign = _mm256_set1_pd(-0.0);
-    return _mm256_sub_pd(_mm256_set1_pd(period),
-                         _mm256_andnot_pd(sign, d));
-}
-
-USE_AVX2
-INLINED __m256d four_distances2(const enum geometry geometry,
-                                struct space space, __m256d dx,
-                                __m256d dy)
-{
-    __m256d xx = _mm256_mul_pd(dx, dx), yy = _mm256_mul_pd(dy, dy);
-    if (geometry == WRAPAROUND) {
-        __m256d bx = other_way(dx, space.width);
-        __m256d by = other_way(dy, space.height);
-        xx = _mm256_min_pd(xx, _mm256_mul_pd(bx, bx));
-        yy = _mm256_min_pd(yy, _mm256_mul_pd(by, by));
-    }
-    return _mm256_add_pd(xx, yy);
-}
-//<
-
 //> Compare four points
 USE_AVX2
 INLINED void compare_four(const enum geometry geometry,
@@ -151,10 +127,10 @@ INLINED void compare_four(const enum geometry geometry,
     const uint32_t *point = map->cells->point;
     uint32_t j[4] = {point[at[0]], point[at[1]], point[at[2]],
                      point[at[3]]};
-    __m256d d2 = four_distances2(
-        geometry, map->space,
-        _mm256_sub_pd(four(p.x, j), four(strip->x, task)),
-        _mm256_sub_pd(four(p.y, j), four(strip->y, task)));
+    __m256d d2 =
+        four_near2(geometry, map->space,
+                   _mm256_sub_pd(four(p.x, j), four(strip->x, task)),
+                   _mm256_sub_pd(four(p.y, j), four(strip->y, task)));
     //> Turn the distance to oneself into NaN
     __m128i own = _mm_add_epi32(_mm_loadu_si128((const __m128i *)task),
                                 _mm_set1_epi32((int)strip->first));

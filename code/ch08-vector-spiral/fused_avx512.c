@@ -1,8 +1,9 @@
 //> Fuse the loops in AVX-512
 // Eight tasks or visits at a time. Every load, store and route has a
 // mask of the lanes that it is for, so that a vector need not be full.
-#include "ch08-vector-spiral/fused.h"
+#include "ch08-vector-spiral/spiral_kernels.h"
 #ifdef HAVE_X86_VECTORS
+#include "ch08-vector-spiral/near2.h"
 #include <immintrin.h>
 #include <stdlib.h>
 
@@ -106,25 +107,6 @@ INLINED void enter_in(const enum geometry geometry,
 }
 //<
 
-//> Measure eight distances
-USE_AVX512
-INLINED __m512d eight_distances2(const enum geometry geometry,
-                                 struct space space, __m512d dx,
-                                 __m512d dy)
-{
-    __m512d xx = _mm512_mul_pd(dx, dx), yy = _mm512_mul_pd(dy, dy);
-    if (geometry == WRAPAROUND) {
-        __m512d bx = _mm512_sub_pd(_mm512_set1_pd(space.width),
-                                   _mm512_abs_pd(dx));
-        __m512d by = _mm512_sub_pd(_mm512_set1_pd(space.height),
-                                   _mm512_abs_pd(dy));
-        xx = _mm512_min_pd(xx, _mm512_mul_pd(bx, bx));
-        yy = _mm512_min_pd(yy, _mm512_mul_pd(by, by));
-    }
-    return _mm512_add_pd(xx, yy);
-}
-//<
-
 //> Gather in the marked lanes
 USE_AVX512
 static inline __m512d doubles(__mmask8 here, __m512i index,
@@ -154,12 +136,11 @@ INLINED void compare_eight(const enum geometry geometry,
         numbers(here, _mm512_cvtepu32_epi64(at), map->cells->point);
     __m512i t = _mm512_cvtepu32_epi64(task);
     __m512i j = _mm512_cvtepu32_epi64(point);
-    __m512d d2 =
-        eight_distances2(geometry, map->space,
-                         _mm512_sub_pd(doubles(here, j, p.x),
-                                       doubles(here, t, strip->x)),
-                         _mm512_sub_pd(doubles(here, j, p.y),
-                                       doubles(here, t, strip->y)));
+    __m512d d2 = eight_near2(geometry, map->space,
+                             _mm512_sub_pd(doubles(here, j, p.x),
+                                           doubles(here, t, strip->x)),
+                             _mm512_sub_pd(doubles(here, j, p.y),
+                                           doubles(here, t, strip->y)));
     __m512d best2 = doubles(here, t, strip->best2);
     __m256i nearest = numbers(here, t, strip->nearest);
     //> Keep what is nearer, by masks

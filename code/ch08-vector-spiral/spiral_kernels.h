@@ -22,7 +22,13 @@ struct spiral_kernels {
 };
 //<
 
-// The fused kernels for an instruction set, which must be present.
+// The fused kernels: each of the two inner loops in one pass; what was
+// an array between two primitives is a register. In plain C, and eight
+// tasks at a time in AVX2 and AVX-512, which are for x86-64 only.
+extern const struct spiral_kernels portable_spiral, avx2_spiral,
+    avx512_spiral;
+
+// Those for an instruction set, which must be present.
 const struct spiral_kernels *spiral_kernels(enum isa isa);
 
 //> Step along an axis in a known geometry

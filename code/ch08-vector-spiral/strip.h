@@ -7,7 +7,6 @@
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 #include "ch07-spiral/two_phases.h"
-#include "ch08-vector-spiral/tally.h"
 #include <stddef.h>
 
 //> List tasks and their search bounds
@@ -27,6 +26,27 @@ struct tasks {
 struct visits {
     uint32_t n;
     uint32_t *task, *at, *end;
+};
+//<
+
+//> Tally what passes through the loops
+enum { LAYERS_TALLIED = 8, LANES_TALLIED = 8 };
+
+struct tally {
+    uint64_t tasks;
+    uint64_t phase_one[LAYERS_TALLIED]; // tasks at layer k
+    uint64_t phase_two[LAYERS_TALLIED];
+    uint64_t of_layer[LAYERS_TALLIED]; // cells of it that are visited
+    uint64_t listed;         // tasks, before their list is packed
+    uint64_t bound_steps;    // tried to find the search bounds
+    uint64_t tried;          // tasks of a list, at each step of it
+    uint64_t visited;        // cells within the bounds
+    uint64_t entered;        // of these, with points
+    uint64_t compared;       // points
+    uint64_t cell_steps;     // times that the loop over cells ran
+    uint64_t point_steps;    // and the one over points
+    uint64_t lanes;          // taken by it, in vectors of eight
+    uint64_t lanes_unpacked; // if nothing were ever packed
 };
 //<
 
@@ -59,4 +79,7 @@ enum { TASK_BYTES = 8 * sizeof(double) + 22 * sizeof(uint32_t) + 1 };
 struct strip strip_allocate(const struct primitives *primitives,
                             uint32_t length);
 void strip_free(struct strip *strip);
+
+// Adds every count of the second to the first.
+void tally_add(struct tally *sum, const struct tally *tally);
 //<

@@ -3,7 +3,6 @@
 // searches in strips of 1,024 tasks.
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "ch08-vector-spiral/advance.h"
-#include "common/clock.h"
 
 void sort_and_advance(const struct question *question,
                       const struct spiral_kernels *kernels,
@@ -11,7 +10,7 @@ void sort_and_advance(const struct question *question,
 {
     struct grid grid = grid_fit(question, 1); // as the spiral
     struct cells cells = cells_sort(&grid, question->points);
-    answers->built_ns = clock_ns();
+    note_built(question);
     struct strip_plan plan = {.kernels = kernels, .length = STRIP};
     advance_tasks(question, &grid, &cells, &plan, answers);
     cells_free(&cells);

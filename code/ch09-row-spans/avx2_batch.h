@@ -45,7 +45,7 @@ INLINED __m256 measure_one(measure_lanes *measure,
     return _mm256_castsi256_ps(_mm256_blendv_epi8(
         _mm256_castps_si256(value),
         _mm256_set1_epi32((int)staging->place[place]),
-        _mm256_set1_epi32(NUMBER)));
+        _mm256_set1_epi32(PLACE_MASK)));
 }
 //<
 

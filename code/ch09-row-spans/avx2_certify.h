@@ -5,6 +5,7 @@
 // How four candidates are verified is a parameter: chapter 10 verifies
 // that they are the furthest.
 #pragma once
+#include "ch08-vector-spiral/near2.h"
 #include "ch09-row-spans/avx2_batch.h"
 
 //> Find four margins
@@ -88,7 +89,7 @@ INLINED void look_up(const struct staging *staging,
     __m256i bits = _mm256_castps_si256(_mm256_loadu_ps(two->best));
     _mm256_storeu_si256(
         (__m256i *)place,
-        _mm256_and_si256(bits, _mm256_set1_epi32(NUMBER)));
+        _mm256_and_si256(bits, _mm256_set1_epi32(PLACE_MASK)));
     for (int lane = 0; lane < BATCH; lane++)
         result->candidate[lane] = staging->index[place[lane]];
 }
@@ -98,8 +99,8 @@ INLINED void look_up(const struct staging *staging,
 // The places become candidates, these get their distances, and a lane
 // is certified if no other point can compete, in the block or beyond.
 USE_AVX2
-INLINED uint32_t certify(verify_function *verify,
-                         const enum geometry geometry,
+INLINED uint32_t certify(const enum geometry geometry,
+                         verify_function *verify,
                          const struct scene *scene,
                          const struct query_batch *batch,
                          uint32_t certain, struct batch_result *result)
@@ -109,24 +110,6 @@ INLINED uint32_t certify(verify_function *verify,
     uint32_t high =
         verify_four(verify, geometry, scene, batch, 4, result);
     return certain & (low | high << 4);
-}
-//<
-
-//> Measure four pairs
-USE_AVX2
-INLINED __m256d four_near2(const enum geometry geometry,
-                           struct space space, __m256d dx, __m256d dy)
-{
-    __m256d ax2 = _mm256_mul_pd(dx, dx), ay2 = _mm256_mul_pd(dy, dy);
-    if (geometry == STANDARD)
-        return _mm256_add_pd(ax2, ay2);
-    const __m256d sign = _mm256_set1_pd(-0.0);
-    __m256d bx = _mm256_sub_pd(_mm256_set1_pd(space.width),
-                               _mm256_andnot_pd(sign, dx));
-    __m256d by = _mm256_sub_pd(_mm256_set1_pd(space.height),
-                               _mm256_andnot_pd(sign, dy));
-    return _mm256_add_pd(_mm256_min_pd(ax2, _mm256_mul_pd(bx, bx)),
-                         _mm256_min_pd(ay2, _mm256_mul_pd(by, by)));
 }
 //<
 
@@ -158,11 +141,8 @@ INLINED uint32_t certify_near(const struct scene *scene,
 {
     const uint32_t certain = certain_lanes(two, near_slack(staging));
     look_up(staging, two, result);
-    return scene->space.geometry == STANDARD
-               ? certify(verify_near, STANDARD, scene, batch, certain,
-                         result)
-               : certify(verify_near, WRAPAROUND, scene, batch, certain,
-                         result);
+    return IN_GEOMETRY(scene->space, certify, verify_near, scene, batch,
+                       certain, result);
 }
 //<
 //<

@@ -94,20 +94,20 @@ INLINED void keep_four(struct four_best *four, __m256d d2,
 
 USE_AVX2
 INLINED void keep_best_of_four(const struct four_best *four,
-                               struct point_query *query)
+                               struct query *query)
 {
     double best2[4];
     uint64_t nearest[4];
     _mm256_storeu_pd(best2, four->best2);
     _mm256_storeu_si256((__m256i *)nearest, four->nearest);
     for (int lane = 0; lane < 4; lane++)
-        query_keep(query, best2[lane], (uint32_t)nearest[lane]);
+        query_keep(query, (uint32_t)nearest[lane], best2[lane]);
 }
 
 USE_AVX2
 INLINED void compare_span(const enum geometry geometry,
                           const struct scene *scene, uint32_t begin,
-                          uint32_t end, struct point_query *query)
+                          uint32_t end, struct query *query)
 {
     const struct points p = scene->sorted->points;
     const int *point = (const int *)scene->sorted->cells.point;
@@ -132,17 +132,14 @@ INLINED void compare_span(const enum geometry geometry,
 }
 
 USE_AVX2
-static void compare(const struct scene *scene, uint32_t begin,
-                    uint32_t end, struct point_query *query)
+static void compare_with_span(const struct scene *scene, uint32_t begin,
+                              uint32_t end, struct query *query)
 {
-    if (scene->space.geometry == STANDARD)
-        compare_span(STANDARD, scene, begin, end, query);
-    else
-        compare_span(WRAPAROUND, scene, begin, end, query);
+    IN_GEOMETRY(scene->space, compare_span, scene, begin, end, query);
 }
 //<
 
 const struct span_kernels avx2_spans = {"avx2", stage, nearest,
-                                        compare};
+                                        compare_with_span};
 #endif
 //<

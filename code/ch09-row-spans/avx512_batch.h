@@ -90,7 +90,7 @@ INLINED __m512 measure_two(measure_wide *measure,
     __m512 value = measure(lanes, _mm512_sub_ps(x, lanes->x),
                            _mm512_sub_ps(y, lanes->y));
     return _mm512_castsi512_ps(_mm512_ternarylogic_epi32(
-        _mm512_castps_si512(value), _mm512_set1_epi32(NUMBER),
+        _mm512_castps_si512(value), _mm512_set1_epi32(PLACE_MASK),
         two_from(staging->place + place),
         FIRST_WITHOUT_SECOND_OR_THIRD));
 }

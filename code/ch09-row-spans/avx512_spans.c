@@ -61,21 +61,6 @@ struct eight_best {
 };
 //<
 
-USE_AVX512
-INLINED __m512d eight_near2(const enum geometry geometry,
-                            struct space space, __m512d dx, __m512d dy)
-{
-    __m512d ax2 = _mm512_mul_pd(dx, dx), ay2 = _mm512_mul_pd(dy, dy);
-    if (geometry == STANDARD)
-        return _mm512_add_pd(ax2, ay2);
-    __m512d bx =
-        _mm512_sub_pd(_mm512_set1_pd(space.width), _mm512_abs_pd(dx));
-    __m512d by =
-        _mm512_sub_pd(_mm512_set1_pd(space.height), _mm512_abs_pd(dy));
-    return _mm512_add_pd(_mm512_min_pd(ax2, _mm512_mul_pd(bx, bx)),
-                         _mm512_min_pd(ay2, _mm512_mul_pd(by, by)));
-}
-
 //> Keep the best of eight lanes
 USE_AVX512
 INLINED void keep_eight(struct eight_best *eight, __m512d d2,
@@ -96,14 +81,14 @@ INLINED void keep_eight(struct eight_best *eight, __m512d d2,
 //> Compare the eight lanes
 USE_AVX512
 INLINED void keep_best_of_eight(const struct eight_best *eight,
-                                struct point_query *query)
+                                struct query *query)
 {
     double best2[8];
     uint64_t nearest[8];
     _mm512_storeu_pd(best2, eight->best2);
     _mm512_storeu_si512(nearest, eight->nearest);
     for (int lane = 0; lane < 8; lane++)
-        query_keep(query, best2[lane], (uint32_t)nearest[lane]);
+        query_keep(query, (uint32_t)nearest[lane], best2[lane]);
 }
 //<
 
@@ -111,7 +96,7 @@ INLINED void keep_best_of_eight(const struct eight_best *eight,
 USE_AVX512
 INLINED void compare_span(const enum geometry geometry,
                           const struct scene *scene, uint32_t begin,
-                          uint32_t end, struct point_query *query)
+                          uint32_t end, struct query *query)
 {
     const struct points p = scene->sorted->points;
     const uint32_t *point = scene->sorted->cells.point;
@@ -135,17 +120,14 @@ INLINED void compare_span(const enum geometry geometry,
 //<
 
 USE_AVX512
-static void compare(const struct scene *scene, uint32_t begin,
-                    uint32_t end, struct point_query *query)
+static void compare_with_span(const struct scene *scene, uint32_t begin,
+                              uint32_t end, struct query *query)
 {
-    if (scene->space.geometry == STANDARD)
-        compare_span(STANDARD, scene, begin, end, query);
-    else
-        compare_span(WRAPAROUND, scene, begin, end, query);
+    IN_GEOMETRY(scene->space, compare_span, scene, begin, end, query);
 }
 //<
 
 const struct span_kernels avx512_spans = {"avx512", stage, nearest,
-                                          compare};
+                                          compare_with_span};
 #endif
 //<

@@ -17,9 +17,10 @@ enum {
     PAD = 8,     // of which so many stay free at each end
     STEP = 4,    // candidates that a sweep takes at a time
     PLACES = ROWS * STAGED + PAD,
-    NUMBER = 0xFF // the bits of a float that hold a place
+    PLACE_MASK = 0xFF // the bits of a float that hold a place
 };
-_Static_assert(ROWS *STAGED <= NUMBER, "eight bits number all places");
+_Static_assert(ROWS *STAGED <= PLACE_MASK,
+               "eight bits number all places");
 _Static_assert(STEP <= PAD, "a sweep's last step ends in the pad");
 
 // A squared distance beyond any that are compared, whose low bits are
@@ -118,7 +119,7 @@ static inline uint32_t place_of(float best)
         float value;
         uint32_t bits;
     } number = {best};
-    return number.bits & NUMBER;
+    return number.bits & PLACE_MASK;
 }
 //<
 //<

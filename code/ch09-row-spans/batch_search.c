@@ -7,37 +7,14 @@
 #include <assert.h>
 #include <stddef.h>
 
-//> Hold the places of the results
-struct targets {
-    struct neighbor *of[BATCH];
-};
-//<
-
-//> Fetch the places of the results
-// They are seldom in a cache. Asked for before the kernel runs, they
-// are there when it is done. Whole batches, as kernels read them.
-static struct targets fetch_results(const struct batch_search *search,
-                                    const struct query_batch *batch)
-{
-    const uint32_t *inverse = search->inverse + batch->begin;
-    struct neighbor *results = search->results;
-    struct targets to;
-    for (int lane = 0; lane < BATCH; lane++) {
-        to.of[lane] = results + inverse[lane];
-        __builtin_prefetch(to.of[lane], 1);
-    }
-    return to;
-}
-//<
-
 //> Take the results of a batch
 INLINED void take_results(const uint32_t width, const uint32_t *point,
                           const struct batch_result *result,
-                          const struct targets *to)
+                          struct neighbor *const *to)
 {
     for (uint32_t lane = 0; lane < width; lane++) {
-        to->of[lane]->distance2 = result->distance2[lane];
-        to->of[lane]->index = point[result->candidate[lane]];
+        to[lane]->distance2 = result->distance2[lane];
+        to[lane]->index = point[result->candidate[lane]];
     }
 }
 //<
@@ -81,13 +58,27 @@ static void answer_batch(const struct scene *scene,
                          struct counts *counts)
 {
     const uint32_t *point = scene->sorted->cells.point;
-    const struct targets to = fetch_results(search, batch);
+    if (staging->reach > search->max_reach) {
+        answer_all_exactly(scene, search, batch, counts);
+        return;
+    }
+    struct neighbor *to[BATCH];
+    //> Fetch the places of the results
+    // They are seldom in a cache. Asked for before the kernel runs,
+    // they are there when it is done. Whole batches, as kernels read
+    // them.
+    const uint32_t *inverse = search->inverse + batch->begin;
+    for (int lane = 0; lane < BATCH; lane++) {
+        to[lane] = search->results + inverse[lane];
+        __builtin_prefetch(to[lane], 1);
+    }
+    //<
     struct batch_result result;
     uint32_t certified = search->kernel(scene, staging, batch, &result);
     if (batch->width == BATCH) // then the loop has no end to find
-        take_results(BATCH, point, &result, &to);
+        take_results(BATCH, point, &result, to);
     else
-        take_results(batch->width, point, &result, &to);
+        take_results(batch->width, point, &result, to);
     if (certified != ALL_LANES)
         answer_exactly(scene, search, batch, certified, counts);
 }
@@ -171,30 +162,24 @@ void answer_chunk(const struct scene *scene,
 }
 //<
 
-//> Share out the chunks
-// A crowded cell is many chunks, for all threads. But a thread takes
-// some that follow each other, as long as there are plenty: their
-// results go to the same buckets.
-static int chunks_at_once(uint32_t chunks, int threads)
-{
-    uint32_t share = chunks / 16 / (uint32_t)threads;
-    return share < 1 ? 1 : share > 8 ? 8 : (int)share;
-}
-//<
-
 //> Work through all chunks
 void share_chunks(const struct question *question, chunk_function *work,
                   const void *context)
 {
     const uint32_t n = question->points.n, chunks = (n - 1) / CHUNK + 1;
-    const int threads = question->threads;
-#pragma omp parallel for num_threads(threads) \
-    schedule(dynamic, chunks_at_once(chunks, threads))
+    //> Share out the chunks
+    // A crowded cell is many chunks, for all threads. But a thread
+    // takes some that follow each other, as long as there are plenty:
+    // their results go to the same buckets.
+    const uint32_t share = chunks / 16 / (uint32_t)question->threads;
+    const int at_once = share < 1 ? 1 : share > 8 ? 8 : (int)share;
+    //<
+#pragma omp parallel for num_threads(question->threads) \
+    schedule(dynamic, at_once)
     for (uint32_t chunk = 0; chunk < chunks; chunk++) {
         struct counts counts = {0};
         uint32_t begin = chunk * CHUNK, left = n - begin;
-        work(context, begin, begin + (left < CHUNK ? left : CHUNK),
-             &counts);
+        work(context, begin, begin + MIN(left, CHUNK), &counts);
         counts_add(question->counts, &counts);
     }
 }
@@ -223,6 +208,44 @@ void answer_all(const struct question *question,
            "the question's points are sorted");
     const struct searches all = {scene, searches, count};
     share_chunks(question, search_chunk, &all);
+}
+//<
+
+//> Restore the order of the input
+void restore_order(const struct neighbor *results,
+                   const uint32_t *permutation, uint32_t n, int threads,
+                   uint32_t *index, double *distance2)
+{
+#pragma omp parallel for num_threads(threads)
+    for (uint32_t i = 0; i < n; i++) {
+        const struct neighbor result = results[permutation[i]];
+        index[i] = result.index;
+        distance2[i] = result.distance2;
+    }
+}
+//<
+
+//> Search, then restore order
+void answer_in_order(const struct question *question,
+                     const struct scene *scene,
+                     const struct partition *partition,
+                     struct workspace *workspace,
+                     struct batch_search *searches, int count)
+{
+    assert(partition->inverse && "order can be restored");
+    const uint32_t n = question->points.n;
+    struct mark mark = workspace_mark(workspace);
+    for (int k = 0; k < count; k++) {
+        searches[k].inverse = partition->inverse;
+        searches[k].results =
+            workspace_take(workspace, n, sizeof *searches[k].results);
+    }
+    answer_all(question, scene, searches, count);
+    for (int k = 0; k < count; k++)
+        restore_order(searches[k].results, partition->permutation, n,
+                      question->threads, searches[k].index,
+                      searches[k].distance2);
+    workspace_release(workspace, mark);
 }
 //<
 //<

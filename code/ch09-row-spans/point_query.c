@@ -5,21 +5,10 @@
 #include "ch09-row-spans/point_query.h"
 #include "ch09-row-spans/span_kernels.h"
 
-//> Begin a query
-struct point_query query_of(const struct sorted *sorted, uint32_t s)
-{
-    return (struct point_query){.x = sorted->points.x[s],
-                                .y = sorted->points.y[s],
-                                .best2 = INFINITY,
-                                .self = sorted->cells.point[s],
-                                .nearest = NO_INDEX};
-}
-//<
-
 //> Compare with a row of the block
 // Which with wraparound may go over the seam, and is two spans then.
 void compare_row(const struct scene *scene, const struct range *range,
-                 uint32_t row, struct point_query *query)
+                 uint32_t row, struct query *query)
 {
     const struct sorted *sorted = scene->sorted;
     const uint32_t columns = sorted->grid.x.count;
@@ -39,7 +28,7 @@ void compare_row(const struct scene *scene, const struct range *range,
 
 //> Prune a row
 bool prune_row(const struct scene *scene, uint32_t row,
-               const struct point_query *query)
+               const struct query *query)
 {
     const struct axis *axis = &scene->sorted->grid.y;
     const double above = axis->border[row] - query->y;
@@ -52,10 +41,10 @@ bool prune_row(const struct scene *scene, uint32_t row,
 //<
 
 //> Answer a point query
-struct point_query nearest_query(const struct scene *scene, uint32_t s)
+struct query nearest_query(const struct scene *scene, uint32_t s)
 {
     const struct grid *grid = &scene->sorted->grid;
-    struct point_query query = query_of(scene->sorted, s);
+    struct query query = query_of(scene->sorted, s);
     const uint32_t own = axis_cell(&grid->y, query.y);
     for (uint32_t radius = 1;; radius *= 2) {
         struct block block = block_of(grid, query.x, query.y, radius);

@@ -7,24 +7,24 @@
 #include "ch09-row-spans/batch.h"
 
 //> Declare what a sweep measures
-typedef float measure_function(const struct scene *scene, float dx,
-                               float dy);
+typedef float plain_measure(const struct scene *scene, float dx,
+                            float dy);
 //<
 
 //> Put a place into the low bits
-static inline float numbered(float value, uint32_t place)
+static inline float with_place(float value, uint32_t place)
 {
     union {
         float value;
         uint32_t bits;
     } number = {value};
-    number.bits = (number.bits & ~(uint32_t)NUMBER) | place;
+    number.bits = (number.bits & ~(uint32_t)PLACE_MASK) | place;
     return number.value;
 }
 //<
 
 //> Compare all lanes with a candidate
-INLINED void compare_lanes(measure_function *measure,
+INLINED void compare_lanes(plain_measure *measure,
                            const struct scene *scene,
                            const struct staging *staging, uint32_t own,
                            uint32_t place, struct best_two *two)
@@ -34,7 +34,7 @@ INLINED void compare_lanes(measure_function *measure,
     for (uint32_t lane = 0; lane < BATCH; lane++) {
         float value = measure(scene, x[place] - x[own + lane],
                               y[place] - y[own + lane]);
-        value = place == own + lane ? FAR2 : numbered(value, place);
+        value = place == own + lane ? FAR2 : with_place(value, place);
         float best = two->best[lane], second = two->second[lane];
         float loser = best > value ? best : value;
         two->best[lane] = best < value ? best : value;
@@ -44,7 +44,7 @@ INLINED void compare_lanes(measure_function *measure,
 //<
 
 //> Sweep over three row spans
-INLINED struct best_two sweep_plainly(measure_function *measure,
+INLINED struct best_two sweep_plainly(plain_measure *measure,
                                       const struct scene *scene,
                                       const struct staging *staging,
                                       const struct query_batch *batch)

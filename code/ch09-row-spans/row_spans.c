@@ -4,8 +4,7 @@
 #include "ch09-row-spans/row_spans.h"
 #include "ch09-row-spans/point_query.h"
 #include "ch09-row-spans/span_kernels.h"
-#include "common/clock.h"
-#include <assert.h>
+#include <stddef.h>
 
 //> Answer exactly for the nearest
 static void exact_nearest(const struct scene *scene,
@@ -13,7 +12,7 @@ static void exact_nearest(const struct scene *scene,
                           struct neighbor *found, struct counts *counts)
 {
     (void)context;
-    struct point_query query = nearest_query(scene, s);
+    struct query query = nearest_query(scene, s);
     *found = (struct neighbor){query.best2, query.nearest};
     counts->distances += query.compared;
 }
@@ -36,35 +35,28 @@ void search_row_spans(const struct question *question,
                       struct workspace *workspace,
                       struct answers *answers)
 {
-    assert(partition->inverse && "order can be restored");
-    const uint32_t n = question->points.n;
     const struct scene scene = {question->space, &partition->sorted,
                                 span_kernels()};
-    struct mark mark = workspace_mark(workspace);
-    struct neighbor *results =
-        workspace_take(workspace, n, sizeof *results);
-    struct batch_search search =
-        nearest_search(&scene, partition->inverse, results);
-    answer_all(question, &scene, &search, 1);
-    restore_order(results, partition->permutation, n, question->threads,
-                  answers->nearest, answers->nearest2);
-    workspace_release(workspace, mark);
+    struct batch_search search = nearest_search(&scene, NULL, NULL);
+    search.index = answers->nearest;
+    search.distance2 = answers->nearest2;
+    answer_in_order(question, &scene, partition, workspace, &search, 1);
 }
 //<
 
 //> Partition, search, restore
-void row_spans(const struct question *question, struct answers *answers)
+static void partition_and_search(const struct question *question,
+                                 struct answers *answers)
 {
-    struct workspace own = {0};
-    struct workspace *workspace =
-        question->workspace ? question->workspace : &own;
-    struct mark mark = workspace_mark(workspace);
+    struct workspace *workspace = question->workspace;
     struct partition partition = partition_make(
         question, POINTS_PER_SPAN_CELL, RESTORE, workspace);
-    answers->built_ns = clock_ns();
     search_row_spans(question, &partition, workspace, answers);
-    workspace_release(workspace, mark);
-    workspace_free(&own);
+}
+
+void row_spans(const struct question *question, struct answers *answers)
+{
+    search_in_workspace(question, partition_and_search, answers);
 }
 //<
 //<

@@ -25,6 +25,5 @@ struct batch_search nearest_search(const struct scene *scene,
                                    struct neighbor *results);
 
 // The row of the table: all three stages.
-void row_spans(const struct question *question,
-               struct answers *answers);
+search_function row_spans;
 //<

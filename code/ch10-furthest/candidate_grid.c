@@ -8,13 +8,14 @@
 // there, err by less than 2^-50 of that of the box's diagonal, so 2^-46
 // is a safe margin.
 #include "ch10-furthest/candidate_grid.h"
+#include "ch04-cell-sort/grid.h"
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 //> Hold a candidate grid in the making
 // What is known while the grid is made.
-struct making {
+struct builder {
     struct points points; // the corners, from the lower left
     double width, height; // of the box
     double margin;        // in squared distances
@@ -33,13 +34,13 @@ struct square {
 // Of the corners from[0 .. count-1], all but those that are nearer, to
 // every point in the square, than the one furthest from its middle.
 // The square is taken a little larger than it is, for rounding.
-static uint32_t keep_far(const struct making *making,
+static uint32_t keep_far(const struct builder *builder,
                          struct square square, const uint32_t *from,
                          uint32_t count, uint32_t *to)
 {
-    const struct points p = making->points;
-    const double width = making->width / making->grid->side;
-    const double height = making->height / making->grid->side;
+    const struct points p = builder->points;
+    const double width = builder->width / builder->grid->side;
+    const double height = builder->height / builder->grid->side;
     const double x = (square.left + 0.5 * square.side) * width;
     const double y = (square.bottom + 0.5 * square.side) * height;
     const double right = 0.5 * square.side * width * (1 + 0x1p-20);
@@ -59,7 +60,7 @@ static uint32_t keep_far(const struct making *making,
         double d2 = distance2(p.x[b] - x, p.y[b] - y);
         double change = 2 * (fabs(p.x[far] - p.x[b]) * right +
                              fabs(p.y[far] - p.y[b]) * up);
-        if (!(max2 - d2 > change + making->margin))
+        if (!(max2 - d2 > change + builder->margin))
             to[kept++] = b;
     }
     //<
@@ -67,38 +68,32 @@ static uint32_t keep_far(const struct making *making,
 }
 //<
 
-//> Add a list to the lists
-static uint32_t add_list(const struct making *making,
-                         const uint32_t *list, uint32_t count)
-{
-    struct candidate_grid *grid = making->grid;
-    size_t needed = grid->length + count + 1;
-    if (needed > grid->room) {
-        uint32_t *old = grid->list;
-        grid->room = 2 * needed;
-        grid->list =
-            workspace_take(making->workspace, grid->room, sizeof *old);
-        if (old)
-            memcpy(grid->list, old, grid->length * sizeof *old);
-    }
-    uint32_t *entry = grid->list + grid->length;
-    entry[0] = count;
-    memcpy(entry + 1, list, count * sizeof *list);
-    uint32_t begin = grid->length;
-    grid->length = needed;
-    return begin;
-}
-//<
-
 //> Give a square its list
 // All its cells share it.
-static void give_list(const struct making *making, struct square square,
-                      const uint32_t *list, uint32_t count)
+static void give_list(const struct builder *builder,
+                      struct square square, const uint32_t *list,
+                      uint32_t count)
 {
-    struct candidate_grid *grid = making->grid;
-    uint32_t entry =
-        count == 1 ? list[0]
-                   : grid->corners + add_list(making, list, count);
+    struct candidate_grid *grid = builder->grid;
+    uint32_t entry = list[0];
+    if (count > 1) {
+        entry = grid->corners + (uint32_t)grid->length;
+        //> Add a list to the lists
+        size_t needed = grid->length + count + 1;
+        if (needed > grid->room) {
+            uint32_t *old = grid->list;
+            grid->room = 2 * needed;
+            grid->list = workspace_take(builder->workspace, grid->room,
+                                        sizeof *old);
+            if (old)
+                memcpy(grid->list, old, grid->length * sizeof *old);
+        }
+        grid->list[grid->length] = count;
+        memcpy(grid->list + grid->length + 1, list,
+               count * sizeof *list);
+        grid->length = needed;
+        //<
+    }
     for (uint32_t row = 0; row < square.side; row++) {
         uint32_t *cell = grid->cell +
                          (size_t)(square.bottom + row) * grid->side +
@@ -112,20 +107,20 @@ static void give_list(const struct making *making, struct square square,
 //> Divide a square
 // Into four, until one corner is left, or it is a cell, or the lists
 // get too long. to has room for all lists that this one comes from.
-static void divide(const struct making *making, struct square square,
+static void divide(const struct builder *builder, struct square square,
                    const uint32_t *from, uint32_t count, uint32_t *to)
 {
-    uint32_t kept = keep_far(making, square, from, count, to);
+    uint32_t kept = keep_far(builder, square, from, count, to);
     if (kept == 1 || square.side == 1 ||
-        making->grid->length > making->enough) {
-        give_list(making, square, to, kept);
+        builder->grid->length > builder->enough) {
+        give_list(builder, square, to, kept);
         return;
     }
     uint32_t half = square.side / 2;
     for (int quarter = 0; quarter < 4; quarter++) {
         struct square part = {square.left + quarter % 2 * half,
                               square.bottom + quarter / 2 * half, half};
-        divide(making, part, to, kept, to + kept);
+        divide(builder, part, to, kept, to + kept);
     }
 }
 //<
@@ -146,21 +141,6 @@ static uint32_t side_for(uint32_t n, uint32_t corners)
 }
 //<
 
-//> Find the box of the corners
-static void find_box(struct points p, double *left, double *right,
-                     double *bottom, double *top)
-{
-    *left = *right = p.x[0];
-    *bottom = *top = p.y[0];
-    for (uint32_t k = 1; k < p.n; k++) {
-        *left = fmin(*left, p.x[k]);
-        *right = fmax(*right, p.x[k]);
-        *bottom = fmin(*bottom, p.y[k]);
-        *top = fmax(*top, p.y[k]);
-    }
-}
-//<
-
 //> Scale a length to cells
 static double cells_per(uint32_t side, double length)
 {
@@ -170,18 +150,20 @@ static double cells_per(uint32_t side, double length)
 //<
 
 //> Begin with the whole box
-static void make_lists(struct making *making, uint32_t side, uint32_t h)
+static void make_lists(struct builder *builder, uint32_t side,
+                       uint32_t h)
 {
     uint32_t levels = 2;
     for (uint32_t k = side; k > 1; k /= 2)
         levels++;
-    uint32_t *from = workspace_take(making->workspace, h, sizeof *from);
-    uint32_t *room = workspace_take(making->workspace,
+    uint32_t *from =
+        workspace_take(builder->workspace, h, sizeof *from);
+    uint32_t *room = workspace_take(builder->workspace,
                                     (size_t)levels * h, sizeof *room);
     for (uint32_t k = 0; k < h; k++)
         from[k] = k;
-    making->enough = (size_t)4 * side * (h + side);
-    divide(making, (struct square){0, 0, side}, from, h, room);
+    builder->enough = (size_t)4 * side * (h + side);
+    divide(builder, (struct square){0, 0, side}, from, h, room);
 }
 //<
 
@@ -207,30 +189,30 @@ struct candidate_grid candidate_grid_make(const struct corners *corners,
                                           struct workspace *workspace)
 {
     const struct points p = corners->points;
-    double left, right, bottom, top;
-    find_box(p, &left, &right, &bottom, &top);
-    const double width = right - left, height = top - bottom;
+    const struct extent x = extent_of(p.x, p.n, 1);
+    const struct extent y = extent_of(p.y, p.n, 1);
+    const double width = x.high - x.low, height = y.high - y.low;
     const double diagonal2 = distance2(width, height);
-    const bool fits = diagonal2 > LEAST_D2 && diagonal2 < MOST_D2;
+    const bool fits = diagonal2 > MIN_D2 && diagonal2 < MAX_D2;
     const uint32_t side = fits ? side_for(n, p.n) : 1;
     struct candidate_grid grid = {.side = side, .corners = p.n};
     //> Lay the grid over the box
     if (fits) { // else any x * 0 is 0, and in the only one
-        grid.left = left, grid.across = cells_per(side, width);
-        grid.bottom = bottom, grid.up = cells_per(side, height);
+        grid.left = x.low, grid.across = cells_per(side, width);
+        grid.bottom = y.low, grid.up = cells_per(side, height);
     }
     grid.cell = workspace_take(workspace, (size_t)side * side,
                                sizeof *grid.cell);
     //<
-    struct making making = {
-        .points = measured_from(p, left, bottom, workspace),
+    struct builder builder = {
+        .points = measured_from(p, x.low, y.low, workspace),
         .width = width,
         .height = height,
         .margin = fits ? diagonal2 * 0x1p-46 : INFINITY,
         .grid = &grid,
         .workspace = workspace};
     // If all squared distances vanish, one corner is enough.
-    make_lists(&making, side, diagonal2 > 0 ? p.n : 1);
+    make_lists(&builder, side, diagonal2 > 0 ? p.n : 1);
     return grid;
 }
 //<

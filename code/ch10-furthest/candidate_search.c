@@ -16,15 +16,6 @@ static inline uint32_t cell_on(double x, double low, double scale,
     at = at > 0 ? at : 0;
     return (uint32_t)(int32_t)(at < side ? at : side - 1);
 }
-
-static void find_candidate_cells(const struct candidate_grid *grid,
-                                 struct points strip, uint32_t *cell)
-{
-    const struct candidate_grid g = *grid;
-    for (uint32_t i = 0; i < strip.n; i++)
-        cell[i] = cell_on(strip.y[i], g.bottom, g.up, g.side) * g.side +
-                  cell_on(strip.x[i], g.left, g.across, g.side);
-}
 //<
 
 //> Compare the corners of a list
@@ -58,7 +49,10 @@ static void search_strip(const struct question *question,
     double *furthest2 = answers->furthest2 + begin;
     uint32_t cell[STRIP];
     uint64_t distances = strip.n;
-    find_candidate_cells(grid, strip, cell);
+    const struct candidate_grid g = *grid;
+    for (uint32_t i = 0; i < strip.n; i++)
+        cell[i] = cell_on(strip.y[i], g.bottom, g.up, g.side) * g.side +
+                  cell_on(strip.x[i], g.left, g.across, g.side);
     for (uint32_t i = 0; i < strip.n; i++) {
         double x = strip.x[i], y = strip.y[i];
         uint32_t far = grid->cell[cell[i]];

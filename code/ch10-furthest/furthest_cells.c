@@ -4,7 +4,6 @@
 // order is restored. See outside.h for the search itself.
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/outside.h"
-#include "common/clock.h"
 #include <assert.h>
 
 //> Find the rows that have points
@@ -64,20 +63,7 @@ INLINED void search_lanes(const enum geometry geometry,
 void furthest_of_one(const struct far_scene *scene, uint32_t s,
                      struct neighbor *found, struct counts *counts)
 {
-    if (scene->space.geometry == STANDARD)
-        search_lanes(STANDARD, 1, scene, s, found, counts);
-    else
-        search_lanes(WRAPAROUND, 1, scene, s, found, counts);
-}
-
-static void furthest_of_eight(const struct far_scene *scene, uint32_t s,
-                              struct neighbor *found,
-                              struct counts *counts)
-{
-    if (scene->space.geometry == STANDARD)
-        search_lanes(STANDARD, FAR_BATCH, scene, s, found, counts);
-    else
-        search_lanes(WRAPAROUND, FAR_BATCH, scene, s, found, counts);
+    IN_GEOMETRY(scene->space, search_lanes, 1, scene, s, found, counts);
 }
 //<
 
@@ -97,7 +83,8 @@ static void search_chunk(const void *context, uint32_t begin,
     for (uint32_t s = begin, lanes; s < end; s += lanes) {
         lanes = stand_together(scene->sorted, s, end) ? FAR_BATCH : 1;
         if (lanes > 1)
-            furthest_of_eight(scene, s, found, counts);
+            IN_GEOMETRY(scene->space, search_lanes, FAR_BATCH, scene, s,
+                        found, counts);
         else
             furthest_of_one(scene, s, found, counts);
         for (uint32_t lane = 0; lane < lanes; lane++)
@@ -128,18 +115,18 @@ void search_furthest_cells(const struct question *question,
 }
 //<
 
+static void partition_and_search(const struct question *question,
+                                 struct answers *answers)
+{
+    struct workspace *workspace = question->workspace;
+    struct partition partition = partition_make(
+        question, POINTS_PER_FAR_CELL, RESTORE, workspace);
+    search_furthest_cells(question, &partition, workspace, answers);
+}
+
 void furthest_cells(const struct question *question,
                     struct answers *answers)
 {
-    struct workspace own = {0};
-    struct workspace *workspace =
-        question->workspace ? question->workspace : &own;
-    struct mark mark = workspace_mark(workspace);
-    struct partition partition = partition_make(
-        question, POINTS_PER_FAR_CELL, RESTORE, workspace);
-    answers->built_ns = clock_ns();
-    search_furthest_cells(question, &partition, workspace, answers);
-    workspace_release(workspace, mark);
-    workspace_free(&own);
+    search_in_workspace(question, partition_and_search, answers);
 }
 //<

@@ -27,6 +27,5 @@ void furthest_of_one(const struct far_scene *scene, uint32_t s,
                      struct neighbor *found, struct counts *counts);
 
 // The row of the table: all three stages.
-void furthest_cells(const struct question *question,
-                    struct answers *answers);
+search_function furthest_cells;
 //<

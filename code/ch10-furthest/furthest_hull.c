@@ -4,17 +4,27 @@
 // from the first cache; a few dozen distances a point if the points are
 // spread evenly.
 #include "ch10-furthest/furthest_hull.h"
-#include "common/clock.h"
 #include <stdbool.h>
 
-//> Compare eight queries with every corner
-// A query may be compared with itself, too: it is at 0, not further.
 enum { QUERIES = 8, NO_CORNER = -1 };
 
-static void compare_corners(const struct corners *corners,
-                            const double *x, const double *y,
-                            double *furthest2, int64_t *furthest)
+//> Answer eight queries
+static void answer_eight(const struct question *question,
+                         const struct corners *corners, uint32_t begin,
+                         struct answers *answers)
 {
+    const struct points p = question->points;
+    const uint32_t left = p.n - begin;
+    const uint32_t count = left < QUERIES ? left : QUERIES;
+    double x[QUERIES], y[QUERIES];
+    for (uint32_t lane = 0; lane < QUERIES; lane++) {
+        uint32_t i = begin + (lane < count ? lane : 0);
+        x[lane] = p.x[i];
+        y[lane] = p.y[i];
+    }
+    //> Compare eight queries with every corner
+    // A query may be compared with itself, too: it is at 0, not
+    // further.
     const uint32_t n = corners->points.n;
     double max2[QUERIES] = {0};
     int64_t corner[QUERIES];
@@ -28,35 +38,13 @@ static void compare_corners(const struct corners *corners,
             max2[lane] = further ? far2 : max2[lane];
             corner[lane] = further ? k : corner[lane];
         }
-    for (int lane = 0; lane < QUERIES; lane++) {
-        furthest2[lane] = max2[lane];
-        furthest[lane] = corner[lane];
-    }
-}
-//<
-
-//> Answer eight queries
-static void answer_eight(const struct question *question,
-                         const struct corners *corners, uint32_t begin,
-                         struct answers *answers)
-{
-    const struct points p = question->points;
-    const uint32_t left = p.n - begin;
-    const uint32_t count = left < QUERIES ? left : QUERIES;
-    double x[QUERIES], y[QUERIES], furthest2[QUERIES];
-    int64_t furthest[QUERIES];
-    for (uint32_t lane = 0; lane < QUERIES; lane++) {
-        uint32_t i = begin + (lane < count ? lane : 0);
-        x[lane] = p.x[i];
-        y[lane] = p.y[i];
-    }
-    compare_corners(corners, x, y, furthest2, furthest);
+    //<
     for (uint32_t lane = 0; lane < count; lane++) {
         uint32_t i = begin + lane;
-        answers->furthest2[i] = furthest2[lane];
-        answers->furthest[i] = furthest[lane] == NO_CORNER
+        answers->furthest2[i] = max2[lane];
+        answers->furthest[i] = corner[lane] == NO_CORNER
                                    ? i == 0
-                                   : corners->point[furthest[lane]];
+                                   : corners->point[corner[lane]];
     }
 }
 //<
@@ -77,13 +65,19 @@ void search_corners(const struct question *question,
 //<
 
 //> Find the corners and scan them
+static void find_and_search(const struct question *question,
+                            struct answers *answers)
+{
+    const struct corners corners =
+        corners_find(question, question->workspace);
+    note_built(question);
+    search_corners(question, &corners, answers);
+}
+
 void furthest_hull(const struct question *question,
                    struct answers *answers)
 {
-    struct corners corners = corners_find(question);
-    answers->built_ns = clock_ns();
-    search_corners(question, &corners, answers);
-    corners_free(&corners);
+    search_in_workspace(question, find_and_search, answers);
 }
 //<
 //<

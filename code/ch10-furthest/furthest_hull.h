@@ -11,6 +11,5 @@ void search_corners(const struct question *question,
                     struct answers *answers);
 
 // The row of the table: finds the corners, and searches them.
-void furthest_hull(const struct question *question,
-                   struct answers *answers);
+search_function furthest_hull;
 //<

@@ -25,27 +25,6 @@ static inline float loss_slack(struct space space, double reach)
 }
 //<
 
-//> Refuse what floats cannot hold
-// What is staged will do only within the kernels' reach, and if no loss
-// is more than a float can hold.
-static bool losses_fit(struct space space, double reach)
-{
-    return reach <= furthest_max_reach(space) &&
-           MAX(space.width, space.height) <= 0x1p50;
-}
-
-// If not, each query stands for itself, uncertified.
-static uint32_t certify_nothing(const struct query_batch *batch,
-                                struct batch_result *result)
-{
-    for (uint32_t lane = 0; lane < BATCH; lane++) {
-        result->candidate[lane] = batch->begin + lane;
-        result->distance2[lane] = 0;
-    }
-    return 0;
-}
-//<
-
 //> Measure a loss
 // What is at FAR must not seem to be near: its loss is huge, but less
 // than 0.
@@ -68,8 +47,6 @@ uint32_t portable_furthest(const struct scene *scene,
     const struct sorted *sorted = scene->sorted;
     const double *x = sorted->points.x, *y = sorted->points.y;
     const struct space space = scene->space;
-    if (!losses_fit(space, staging->reach))
-        return certify_nothing(batch, result);
     const struct best_two two =
         sweep_plainly(measure_loss, scene, staging, batch);
     const float slack = loss_slack(space, staging->reach);
@@ -160,7 +137,7 @@ INLINED uint32_t certify_far(const struct scene *scene,
     const float slack = loss_slack(scene->space, staging->reach);
     const uint32_t certain = certain_lanes(two, slack);
     look_up(staging, two, result);
-    return certify(verify_far, WRAPAROUND, scene, batch, certain,
+    return certify(WRAPAROUND, verify_far, scene, batch, certain,
                    result);
 }
 //<
@@ -172,8 +149,6 @@ uint32_t avx2_furthest(const struct scene *scene,
                        const struct query_batch *batch,
                        struct batch_result *result)
 {
-    if (!losses_fit(scene->space, staging->reach))
-        return certify_nothing(batch, result);
     struct best_two two = sweep(measure_losses, scene, staging, batch);
     return certify_far(scene, staging, batch, &two, result);
 }
@@ -198,8 +173,6 @@ uint32_t avx512_furthest(const struct scene *scene,
                          const struct query_batch *batch,
                          struct batch_result *result)
 {
-    if (!losses_fit(scene->space, staging->reach))
-        return certify_nothing(batch, result);
     struct best_two two =
         sweep_wide(measure_losses_wide, scene, staging, batch);
     return certify_far(scene, staging, batch, &two, result);
@@ -209,13 +182,8 @@ uint32_t avx512_furthest(const struct scene *scene,
 
 batch_kernel *furthest_kernel(void)
 {
-    static batch_kernel *const kernels[ISA_COUNT] = {
-        [PORTABLE] = portable_furthest,
-#ifdef HAVE_X86_VECTORS
-        [AVX2] = avx2_furthest,
-        [AVX512] = avx512_furthest,
-#endif
-    };
+    static batch_kernel *const kernels[ISA_COUNT] =
+        FOR_EACH_ISA(portable_furthest, avx2_furthest, avx512_furthest);
     return kernels[isa_chosen()];
 }
 //<

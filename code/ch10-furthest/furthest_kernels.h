@@ -14,10 +14,13 @@ batch_kernel portable_furthest, avx2_furthest, avx512_furthest;
 batch_kernel *furthest_kernel(void);
 
 // How far a staging buffer may reach for these kernels to be any good:
-// no separation in it must be more than half a period.
+// no separation in it must be more than half a period, and no loss more
+// than a float can hold.
 static inline double furthest_max_reach(struct space space)
 {
-    return MIN(space.width, space.height) / 5;
+    return MAX(space.width, space.height) <= 0x1p50
+               ? MIN(space.width, space.height) / 5
+               : 0;
 }
 
 //> Bound the distance to all that is outside of a block

@@ -5,8 +5,6 @@
 // exact predicate decides. n log n steps, n the points left over.
 #include "ch10-furthest/hull.h"
 #include "ch10-furthest/octagon.h"
-#include "common/allocate.h"
-#include "common/fail.h"
 #include "common/min_max.h"
 #include <stdbool.h>
 #include <stdlib.h>
@@ -52,8 +50,8 @@ static uint32_t sort_candidates(struct candidate *candidate, uint32_t n)
 
 //> Say which way three points turn
 // Left if it is positive, right if it is negative.
-static double turn(struct candidate a, struct candidate b,
-                   struct candidate c)
+static double orientation(struct candidate a, struct candidate b,
+                          struct candidate c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -62,14 +60,15 @@ static double turn(struct candidate a, struct candidate b,
 //> Chain those below, or above
 // From the leftmost to the rightmost, turning left all the way if sign
 // is 1, right if it is -1. Writes the corners, and returns how many.
-static uint32_t chain_up(const struct candidate *candidate, uint32_t n,
-                         double sign, struct candidate *corner)
+static uint32_t monotone_chain(const struct candidate *candidate,
+                               uint32_t n, double sign,
+                               struct candidate *corner)
 {
     uint32_t count = 0;
     for (uint32_t k = 0; k < n; k++) {
         while (count >= 2 &&
-               sign * turn(corner[count - 2], corner[count - 1],
-                           candidate[k]) <=
+               sign * orientation(corner[count - 2], corner[count - 1],
+                                  candidate[k]) <=
                    0)
             count--;
         corner[count++] = candidate[k];
@@ -144,22 +143,6 @@ static uint32_t leave_out(struct candidate *candidate, uint32_t n,
 }
 //<
 
-//> Find the corners among the candidates
-static uint32_t keep_corners(struct candidate *candidate, uint32_t n,
-                             double diagonal2)
-{
-    struct candidate *lower = allocate(n, sizeof *lower);
-    struct candidate *upper = allocate(n, sizeof *upper);
-    n = sort_candidates(candidate, n);
-    chain_up(candidate, n, 1, lower);
-    chain_up(candidate, n, -1, upper);
-    n = leave_out(candidate, n, lower, upper, diagonal2);
-    free(upper);
-    free(lower);
-    return n;
-}
-//<
-
 //> Put the corners in the order of the points
 static int by_index(const void *one, const void *other)
 {
@@ -168,10 +151,10 @@ static int by_index(const void *one, const void *other)
 }
 
 static struct corners corners_from(struct candidate *candidate,
-                                   uint32_t n)
+                                   uint32_t n,
+                                   struct workspace *workspace)
 {
-    struct corners corners = {points_allocate(n),
-                              allocate(n, sizeof *corners.point)};
+    struct corners corners = corners_take(n, workspace);
     qsort(candidate, n, sizeof *candidate, by_index);
     for (uint32_t k = 0; k < n; k++) {
         corners.points.x[k] = candidate[k].x;
@@ -182,44 +165,58 @@ static struct corners corners_from(struct candidate *candidate,
 }
 //<
 
+struct corners corners_take(uint32_t n, struct workspace *workspace)
+{
+    return (struct corners){
+        {n, workspace_take(workspace, n, sizeof(double)),
+         workspace_take(workspace, n, sizeof(double))},
+        workspace_take(workspace, n, sizeof(uint32_t))};
+}
+
 //> Find the corners
 // If all squared distances vanish, the furthest of every point is the
 // first, and of the first the second: search_corners begins with that,
 // and one corner is enough.
-struct corners corners_among(struct points p, const uint32_t *index,
-                             int threads)
+struct corners corners_among(struct corners among, int threads,
+                             struct workspace *workspace)
 {
+    const struct points p = among.points;
     const struct sides sides = octagon_sides(p, threads);
     const double diagonal2 = sides.diagonal2;
-    bool trusted = diagonal2 > LEAST_D2 && diagonal2 < MOST_D2;
-    uint32_t *kept = allocate(p.n, sizeof *kept);
+    bool trusted = diagonal2 > MIN_D2 && diagonal2 < MAX_D2;
+    uint32_t *kept = workspace_take(workspace, p.n, sizeof *kept);
     uint32_t count = diagonal2 > 0 ? p.n : 1;
     if (trusted)
-        count = octagon_outside(p, &sides, threads, kept);
-    struct candidate *candidate = allocate(count, sizeof *candidate);
+        count = octagon_outside(p, &sides, threads, workspace, kept);
+    struct candidate *candidate =
+        workspace_take(workspace, count, sizeof *candidate);
     for (uint32_t k = 0; k < count; k++) {
         uint32_t i = trusted ? kept[k] : k;
-        candidate[k] =
-            (struct candidate){p.x[i], p.y[i], index ? index[i] : i};
+        candidate[k] = (struct candidate){
+            p.x[i], p.y[i], among.point ? among.point[i] : i};
     }
-    if (trusted)
-        count = keep_corners(candidate, count, diagonal2);
-    struct corners corners = corners_from(candidate, count);
-    free(candidate);
-    free(kept);
-    return corners;
+    if (trusted) {
+        //> Find the corners among the candidates
+        struct mark mark = workspace_mark(workspace);
+        struct candidate *lower =
+            workspace_take(workspace, count, sizeof *lower);
+        struct candidate *upper =
+            workspace_take(workspace, count, sizeof *upper);
+        count = sort_candidates(candidate, count);
+        monotone_chain(candidate, count, 1, lower);
+        monotone_chain(candidate, count, -1, upper);
+        count = leave_out(candidate, count, lower, upper, diagonal2);
+        workspace_release(workspace, mark);
+        //<
+    }
+    return corners_from(candidate, count, workspace);
 }
 //<
 
-struct corners corners_find(const struct question *question)
+struct corners corners_find(const struct question *question,
+                            struct workspace *workspace)
 {
-    return corners_among(question->points, NULL, question->threads);
-}
-
-void corners_free(struct corners *corners)
-{
-    points_free(&corners->points);
-    free(corners->point);
-    *corners = (struct corners){0};
+    return corners_among((struct corners){question->points, NULL},
+                         question->threads, workspace);
 }
 //<

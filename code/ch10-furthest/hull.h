@@ -7,6 +7,7 @@
 // outside the octagon, else n log n.
 #pragma once
 #include "common/question.h"
+#include "common/workspace.h"
 
 //> Hold the corners
 struct corners {
@@ -26,19 +27,22 @@ static const double CORNER_SURPLUS = 0x1p-44;
 //> Trust what neither vanishes nor overflows
 // Where the squared diagonal is between these, what we compute from it
 // neither vanishes nor overflows.
-static const double LEAST_D2 = 0x1p-900, MOST_D2 = 0x1p+1000;
+static const double MIN_D2 = 0x1p-900, MAX_D2 = 0x1p+1000;
 //<
 
 // The furthest of every point, in rounded squared distances and of
 // several the one of the lowest index, is among them; but where all
 // squared distances of the box vanish or overflow, all points are. By
-// the question's threads; its geometry must be
-// standard. Released with corners_free.
-struct corners corners_find(const struct question *question);
-void corners_free(struct corners *corners);
+// the question's threads; its geometry must be standard. All memory is
+// taken from the workspace, where the caller keeps a mark.
+struct corners corners_find(const struct question *question,
+                            struct workspace *workspace);
 
 // The same of these points alone, whose indices among all points are
-// index[0 .. points.n-1]; NULL: their own.
-struct corners corners_among(struct points points,
-                             const uint32_t *index, int threads);
+// given; NULL: their own.
+struct corners corners_among(struct corners points, int threads,
+                             struct workspace *workspace);
+
+// Room for n corners, or points among which to look for them.
+struct corners corners_take(uint32_t n, struct workspace *workspace);
 //<

@@ -5,28 +5,29 @@
 // a cell is wide and high: a surplus of the square of a cell's diagonal
 // at least.
 #include "ch10-furthest/hull_candidates.h"
+#include "common/min_max.h"
 #include <stdbool.h>
 #include <string.h>
 
 //> Hold a range of columns
 // From the first to the last occupied column; none: first > last.
-struct columns {
+struct column_range {
     int64_t first, last;
 };
 
-static const struct columns NONE = {INT64_MAX / 2, INT64_MIN / 2};
+static const struct column_range NONE = {INT64_MAX / 2, INT64_MIN / 2};
 //<
 
 //> See what is occupied
-static struct columns occupied(const struct sorted *sorted,
-                               uint32_t row)
+static struct column_range occupied(const struct sorted *sorted,
+                                    uint32_t row)
 {
     const struct axis *across = &sorted->grid.x;
     const uint32_t *start = sorted->cells.start + row * across->count;
     if (start[0] == start[across->count])
         return NONE;
     const double *x = sorted->points.x;
-    return (struct columns){
+    return (struct column_range){
         axis_cell(across, x[start[0]]),
         axis_cell(across, x[start[across->count] - 1])};
 }
@@ -34,30 +35,32 @@ static struct columns occupied(const struct sorted *sorted,
 
 //> Join and meet two ranges
 // Both of them and all between.
-static struct columns join(struct columns a, struct columns b)
+static struct column_range join(struct column_range a,
+                                struct column_range b)
 {
-    return (struct columns){a.first < b.first ? a.first : b.first,
-                            a.last > b.last ? a.last : b.last};
+    return (struct column_range){MIN(a.first, b.first),
+                                 MAX(a.last, b.last)};
 }
 
 // Those that are in both.
-static struct columns meet(struct columns a, struct columns b)
+static struct column_range meet(struct column_range a,
+                                struct column_range b)
 {
-    return (struct columns){a.first > b.first ? a.first : b.first,
-                            a.last < b.last ? a.last : b.last};
+    return (struct column_range){MAX(a.first, b.first),
+                                 MIN(a.last, b.last)};
 }
 //<
 
 //> Find what is enclosed
 // In every row, the columns that have points two rows or more away
 // and two columns or more, in each of the four directions.
-static struct columns *enclosed_columns(const struct sorted *sorted,
-                                        struct workspace *workspace)
+static struct column_range *enclosed_columns(
+    const struct sorted *sorted, struct workspace *workspace)
 {
     const uint32_t rows = sorted->grid.y.count;
-    struct columns *enclosed =
+    struct column_range *enclosed =
         workspace_take(workspace, rows, sizeof *enclosed);
-    struct columns below = NONE, above = NONE;
+    struct column_range below = NONE, above = NONE;
     for (uint32_t row = 0; row < rows; row++) {
         if (row >= 2)
             below = join(below, occupied(sorted, row - 2));
@@ -74,13 +77,6 @@ static struct columns *enclosed_columns(const struct sorted *sorted,
 }
 //<
 
-//> Hold the hull candidates
-struct hull_candidates {
-    struct points points;
-    uint32_t *point; // their indices
-};
-//<
-
 //> Find the two spans of a row
 // Of a row, what is before the enclosed columns, and what is after.
 struct spans {
@@ -88,7 +84,7 @@ struct spans {
 };
 
 static struct spans spans_of(const struct sorted *sorted, uint32_t row,
-                             struct columns enclosed)
+                             struct column_range enclosed)
 {
     const uint32_t columns = sorted->grid.x.count;
     const uint32_t *start = sorted->cells.start + row * columns;
@@ -102,7 +98,7 @@ static struct spans spans_of(const struct sorted *sorted, uint32_t row,
 
 //> Take a span
 static void take(const struct sorted *sorted, uint32_t begin,
-                 uint32_t end, struct hull_candidates *found)
+                 uint32_t end, struct corners *found)
 {
     const uint32_t at = found->points.n, count = end - begin;
     memcpy(found->points.x + at, sorted->points.x + begin,
@@ -116,8 +112,8 @@ static void take(const struct sorted *sorted, uint32_t begin,
 //<
 
 //> Take all spans
-static struct hull_candidates take_candidates(
-    const struct sorted *sorted, const struct columns *enclosed,
+static struct corners take_candidates(
+    const struct sorted *sorted, const struct column_range *enclosed,
     struct workspace *workspace)
 {
     const uint32_t rows = sorted->grid.y.count;
@@ -127,10 +123,7 @@ static struct hull_candidates take_candidates(
         for (int k = 0; k < 2; k++)
             count += spans.end[k] - spans.begin[k];
     }
-    struct hull_candidates found = {
-        {count, workspace_take(workspace, count, sizeof(double)),
-         workspace_take(workspace, count, sizeof(double))},
-        workspace_take(workspace, count, sizeof(uint32_t))};
+    struct corners found = corners_take(count, workspace);
     found.points.n = 0;
     for (uint32_t row = 0; row < rows; row++) {
         struct spans spans = spans_of(sorted, row, enclosed[row]);
@@ -159,15 +152,10 @@ struct corners corners_of_sorted(const struct question *question,
                                  struct workspace *workspace)
 {
     if (!cells_are_wide(&sorted->grid))
-        return corners_find(question);
-    struct mark mark = workspace_mark(workspace);
-    struct columns *enclosed = enclosed_columns(sorted, workspace);
-    struct hull_candidates found =
-        take_candidates(sorted, enclosed, workspace);
-    struct corners corners =
-        corners_among(found.points, found.point, question->threads);
-    workspace_release(workspace, mark);
-    return corners;
+        return corners_find(question, workspace);
+    struct column_range *enclosed = enclosed_columns(sorted, workspace);
+    return corners_among(take_candidates(sorted, enclosed, workspace),
+                         question->threads, workspace);
 }
 //<
 //<

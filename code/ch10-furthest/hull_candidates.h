@@ -8,11 +8,10 @@
 #pragma once
 #include "ch04-cell-sort/sorted.h"
 #include "ch10-furthest/hull.h"
-#include "common/workspace.h"
 
 // The corners of the question's points, which are sorted; geometry and
-// threads are the question's. The same as corners_find has, but for
-// points that rounding leaves in doubt. Released with corners_free.
+// threads are the question's. The same as corners_find has, but
+// for points that rounding leaves in doubt; and so is the memory.
 struct corners corners_of_sorted(const struct question *question,
                                  const struct sorted *sorted,
                                  struct workspace *workspace);

@@ -6,9 +6,7 @@
 #include "ch10-furthest/octagon.h"
 #include "ch02-all-pairs/pair.h"
 #include "common/chunk.h"
-#include "common/fail.h"
 #include <math.h>
-#include <stdlib.h>
 
 // AXES directions an eighth of a turn apart, and their opposites.
 enum { AXES = EXTREMES / 2, STRETCH = 256, LANES = 8 };
@@ -85,23 +83,6 @@ static uint32_t stretch_end(uint32_t n, uint32_t begin)
     return n - begin < STRETCH ? n : begin + STRETCH;
 }
 
-//> Look again for the extreme points
-// Any points would do for what follows.
-static void look_for_extremes(struct points p, struct octagon *octagon)
-{
-    for (int e = 0; e < EXTREMES; e++) {
-        uint32_t i = octagon->stretch[e];
-        const uint32_t last = stretch_end(p.n, i) - 1;
-        const double sign = e < AXES ? 1 : -1;
-        while (i < last && sign * along(e % AXES, p.x[i], p.y[i]) !=
-                               octagon->extreme[e])
-            i++;
-        octagon->x[e] = p.x[i];
-        octagon->y[e] = p.y[i];
-    }
-}
-//<
-
 //> Find the octagon
 static struct octagon octagon_find(struct points p, int threads)
 {
@@ -122,7 +103,19 @@ static struct octagon octagon_find(struct points p, int threads)
         for (int e = 0; e < EXTREMES; e++)
             note_extreme(&octagon, e, mine.extreme[e], mine.stretch[e]);
     }
-    look_for_extremes(p, &octagon);
+    //> Look again for the extreme points
+    // Any points would do for what follows.
+    for (int e = 0; e < EXTREMES; e++) {
+        uint32_t i = octagon.stretch[e];
+        const uint32_t last = stretch_end(p.n, i) - 1;
+        const double sign = e < AXES ? 1 : -1;
+        while (i < last && sign * along(e % AXES, p.x[i], p.y[i]) !=
+                               octagon.extreme[e])
+            i++;
+        octagon.x[e] = p.x[i];
+        octagon.y[e] = p.y[i];
+    }
+    //<
     return octagon;
 }
 //<
@@ -187,9 +180,12 @@ static uint32_t keep_outside(struct points p, uint32_t begin,
 //> Throw away by all threads
 // Each keeps its own at the place of its share, until they close up.
 uint32_t octagon_outside(struct points p, const struct sides *sides,
-                         int threads, uint32_t *kept)
+                         int threads, struct workspace *workspace,
+                         uint32_t *kept)
 {
-    uint32_t *count = allocate(threads, sizeof *count), total = 0;
+    struct mark mark = workspace_mark(workspace);
+    uint32_t *count = workspace_take(workspace, threads, sizeof *count);
+    uint32_t total = 0;
 #pragma omp parallel for num_threads(threads)
     for (int k = 0; k < threads; k++) {
         uint32_t begin = chunk_begin(p.n, k, threads), next = begin;
@@ -204,7 +200,7 @@ uint32_t octagon_outside(struct points p, const struct sides *sides,
         for (uint32_t i = 0; i < count[k]; i++)
             kept[total++] = kept[begin + i];
     }
-    free(count);
+    workspace_release(workspace, mark);
     return total;
 }
 //<

@@ -4,6 +4,7 @@
 // Toussaint 1978). Two passes over the points, no memory of their size.
 #pragma once
 #include "common/points.h"
+#include "common/workspace.h"
 
 enum { EXTREMES = 8 };
 
@@ -27,5 +28,5 @@ struct sides octagon_sides(struct points points, int threads);
 // order, and returns how many.
 uint32_t octagon_outside(struct points points,
                          const struct sides *sides, int threads,
-                         uint32_t *kept);
+                         struct workspace *workspace, uint32_t *kept);
 //<

@@ -12,15 +12,6 @@
 // for the first time. Large arrays want large ones: 2 MB on most
 // machines.
 #define LARGE_PAGE ((size_t)2 << 20)
-
-static void prefer_large_pages(void *memory, size_t bytes)
-{
-#ifdef MADV_HUGEPAGE
-    madvise(memory, bytes, MADV_HUGEPAGE);
-#else
-    (void)memory, (void)bytes;
-#endif
-}
 //<
 
 //> Get memory or give up
@@ -34,8 +25,10 @@ void *allocate(size_t count, size_t size)
     void *memory = aligned_alloc(unit, bytes);
     if (!memory)
         fail("no memory for %zu bytes", bytes);
+#ifdef MADV_HUGEPAGE
     if (unit == LARGE_PAGE)
-        prefer_large_pages(memory, bytes);
+        madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
     return memory;
 }
 //<

@@ -1,5 +1,5 @@
 //> Measure time
-// See clock.h. A quartile that falls between two values is interpolated
+// A quartile that falls between two values is interpolated
 // between them.
 #include "common/clock.h"
 #include "common/fail.h"

@@ -1,5 +1,5 @@
 //> Generate points
-// See generate.h. Like the random numbers themselves, the points are
+// Like the random numbers themselves, the points are
 // made by sums, products, quotients and roots only, so that they are
 // the same to the last bit on every machine.
 #include "common/generate.h"

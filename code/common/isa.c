@@ -1,5 +1,5 @@
 //> Choose the instruction set
-// See isa.h. AVX-512 stands for what the processors of 2017 and later
+// AVX-512 stands for what the processors of 2017 and later
 // have of it: F, CD, BW, DQ and VL.
 #include "common/isa.h"
 #include "common/fail.h"

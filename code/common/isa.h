@@ -36,4 +36,17 @@ enum isa isa_chosen(void);
 #define HAVE_X86_VECTORS
 #endif
 //<
+
+// What there is for each instruction set, as an array of ISA_COUNT.
+#ifdef HAVE_X86_VECTORS
+#define FOR_EACH_ISA(portable, avx2, avx512)                          \
+    {                                                                 \
+        [PORTABLE] = (portable), [AVX2] = (avx2), [AVX512] = (avx512) \
+    }
+#else
+#define FOR_EACH_ISA(portable, avx2, avx512) \
+    {                                        \
+        [PORTABLE] = (portable)              \
+    }
+#endif
 //<

@@ -13,7 +13,11 @@ struct question {
     int threads;           // >= 1
     struct counts *counts; // what is done is added; NULL: not wanted
     struct workspace *workspace; // the caller's; NULL: a temporary one
+    int64_t *built_ns; // when what is searched was built; or NULL
 };
+
+// Notes the time: what is searched has been built.
+void note_built(const struct question *question);
 
 // Arrays of n, owned by the caller; those of an answer that the
 // algorithm does not give may be NULL. A point is never its own
@@ -22,14 +26,24 @@ struct question {
 struct answers {
     uint32_t *nearest, *furthest; // index of the neighbor
     double *nearest2, *furthest2; // squared distance to it
-    int64_t built_ns;             // clock_ns() once built; or untouched
 };
 
 // What answers a question.
 typedef void search_function(const struct question *question,
                              struct answers *answers);
 
-// Room for all four answers of n points, not yet set.
-struct answers answers_allocate(uint32_t n);
+// Runs a search in the question's workspace or in a temporary one,
+// which is the workspace of the question that it is given, and gives
+// back what it takes from there.
+void search_in_workspace(const struct question *question,
+                         search_function *search,
+                         struct answers *answers);
+
+enum answer { NEAREST = 1, FURTHEST = 2 }; // bits of a set
+
+// Room for the answers given, a set of enum answer; the arrays of the
+// others are NULL. Released with answers_free.
+struct answers answers_for(uint32_t n, unsigned given);
+struct answers answers_allocate(uint32_t n); // room for all four
 void answers_free(struct answers *answers);
 //<

@@ -1,4 +1,4 @@
-// See report.h. Linux tells its machine in files, under /proc and /sys;
+// Linux tells its machine in files, under /proc and /sys;
 // what cannot be found out is called unknown.
 #include "common/report.h"
 #include <stdbool.h>

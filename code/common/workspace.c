@@ -8,18 +8,12 @@
 #include "common/workspace.h"
 #include "common/allocate.h"
 #include "common/fail.h"
+#include "common/min_max.h"
 #include <assert.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { LINE = 64, SMALLEST_BLOCK = 1 << 16, SMALL_PAGE = 4096 };
-
-size_t workspace_bytes(size_t count, size_t size)
-{
-    if (size && count > (SIZE_MAX / 2 - LINE) / size)
-        fail("%zu times %zu bytes are too many", count, size);
-    return (count * size + LINE - 1) / LINE * LINE;
-}
+enum { LINE = 64, MIN_BLOCK = 1 << 16, SMALL_PAGE = 4096 };
 
 //> Touch fresh pages
 // By as many threads as will use them: the pages are handed out to
@@ -50,7 +44,7 @@ void workspace_reserve(struct workspace *workspace, size_t bytes,
             return;
     }
     free(block->memory);
-    block->size = bytes > SMALLEST_BLOCK ? bytes : SMALLEST_BLOCK;
+    block->size = MAX(bytes, MIN_BLOCK);
     block->memory = allocate(block->size, 1);
     touch(block->memory, block->size, threads);
 }
@@ -60,7 +54,9 @@ void workspace_reserve(struct workspace *workspace, size_t bytes,
 void *workspace_take(struct workspace *workspace, size_t count,
                      size_t size)
 {
-    const size_t bytes = workspace_bytes(count, size);
+    if (size && count > (SIZE_MAX / 2 - LINE) / size)
+        fail("%zu times %zu bytes are too many", count, size);
+    const size_t bytes = (count * size + LINE - 1) / LINE * LINE;
     workspace_reserve(workspace, bytes, 1);
     struct block_of_memory *block = &workspace->block[workspace->last];
     void *array = block->memory + block->used;

@@ -25,9 +25,6 @@ struct workspace {
 void *workspace_take(struct workspace *workspace, size_t count,
                      size_t size);
 
-// What an array of so many bytes takes up.
-size_t workspace_bytes(size_t count, size_t size);
-
 // Makes sure that the arrays taken next, so many bytes together, lie in
 // one block. If that is new, the threads touch it all, each a part, so
 // that the pages are there before time is taken or work is shared out.

@@ -61,16 +61,16 @@ static struct plan make_plan(const struct options *options)
 }
 
 static double answer_once(const struct algorithm *algorithm,
-                          const struct question *question,
+                          struct question question,
                           struct answers *answers, double *build_ns)
 {
-    answers->built_ns = 0;
     progress_start(algorithm->name, 0);
-    int64_t start = clock_ns();
-    algorithm->run(question, answers);
+    int64_t start = clock_ns(), built = start;
+    question.built_ns = &built;
+    algorithm->run(&question, answers);
     int64_t end = clock_ns();
     progress_stop();
-    *build_ns = answers->built_ns ? answers->built_ns - start : 0;
+    *build_ns = built - start;
     return end - start;
 }
 
@@ -89,7 +89,7 @@ static struct summary answer(const struct algorithm *algorithm,
     for (int trial = 0; trial < options->trials; trial++) {
         double build;
         times[trial] =
-            answer_once(algorithm, question, answers, &build);
+            answer_once(algorithm, *question, answers, &build);
         if (options->timing)
             printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64
                    "\n",

@@ -2,7 +2,6 @@
 // every length of a group and every number of threads, on all kinds of
 // points; and how many collide.
 #include "algorithms.h"
-#include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/check_conflict.h"
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"

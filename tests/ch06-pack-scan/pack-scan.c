@@ -26,6 +26,7 @@ static void check_blocked(const struct primitives *p, uint32_t n,
                           uint32_t block, int threads, double share)
 {
     const struct primitives *plain = primitives(PORTABLE);
+    const struct rounds rounds = {p, block, threads};
     enum { GUARDS = SPILL };
     uint32_t *from = allocate(n + GUARDS, sizeof *from);
     uint32_t *right = allocate(n + GUARDS, sizeof *right);
@@ -43,8 +44,7 @@ static void check_blocked(const struct primitives *p, uint32_t n,
     uint32_t kept = plain->pack(right, from, keep, n);
     for (uint32_t i = kept; i < n + GUARDS; i++)
         right[i] = ~0u; // over threads, nothing may spill
-    CHECK_INT(kept,
-              pack_blocked(p, found, from, keep, n, block, threads),
+    CHECK_INT(kept, pack_blocked(&rounds, found, from, keep, n),
               "%s, %u in blocks of %u, %d threads: kept",
               isa_names[p->isa], n, block, threads);
     uint32_t i = 0;
@@ -57,7 +57,7 @@ static void check_blocked(const struct primitives *p, uint32_t n,
 
     uint32_t total = plain->scan(right, from, n, 42);
     memcpy(right + n, from + n, GUARDS * sizeof *right);
-    CHECK_INT(total, scan_blocked(p, from, from, n, 42, block, threads),
+    CHECK_INT(total, scan_blocked(&rounds, from, from, n, 42),
               "%s, %u in blocks of %u, %d threads: total",
               isa_names[p->isa], n, block, threads);
     for (i = 0; i < n + GUARDS && right[i] == from[i];)

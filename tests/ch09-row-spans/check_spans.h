@@ -26,11 +26,11 @@ struct checked_spans {
 };
 
 // Every row of the block, in blocks that are doubled.
-static inline struct point_query query_whole_block(
-    const struct scene *scene, uint32_t s)
+static inline struct query query_whole_block(const struct scene *scene,
+                                             uint32_t s)
 {
     const struct grid *grid = &scene->sorted->grid;
-    struct point_query query = query_of(scene->sorted, s);
+    struct query query = query_of(scene->sorted, s);
     for (uint32_t radius = 1;; radius *= 2) {
         struct block block = block_of(grid, query.x, query.y, radius);
         for (uint32_t k = 0; k < block.y.count; k++)
@@ -65,9 +65,9 @@ static inline void search_in_pieces(const struct scene *scene,
         answer_chunk(scene, &search, 1, begin, end, &counts);
     }
     for (uint32_t s = 0; s < n && mode != BATCHED; s++) {
-        struct point_query query = mode == PRUNED
-                                       ? nearest_query(scene, s)
-                                       : query_whole_block(scene, s);
+        struct query query = mode == PRUNED
+                                 ? nearest_query(scene, s)
+                                 : query_whole_block(scene, s);
         results[order[s]] =
             (struct neighbor){query.best2, query.nearest};
     }
@@ -111,7 +111,7 @@ static inline void check_spans_of(const struct span_kernels *kernels,
     search_plainly(&question, &right);
     for (int k = 0; k < SPAN_DENSITIES; k++) {
         struct sorted sorted =
-            sorted_make(&question, span_densities[k], cells_sort_alone);
+            sorted_make(&question, span_densities[k]);
         const struct scene scene = {space, &sorted, kernels};
         for (int mode = 0; mode < MODES; mode++) {
             search_in_pieces(&scene, mode, k % 2 ? UINT32_MAX : 13,

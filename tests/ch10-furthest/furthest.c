@@ -444,7 +444,8 @@ static double expected_corners(double n)
 static uint32_t corners_of(struct points points)
 {
     struct question question = ask(points, STANDARD, 2);
-    struct corners corners = corners_find(&question);
+    struct workspace workspace = {0};
+    struct corners corners = corners_find(&question, &workspace);
     uint32_t count = corners.points.n;
     for (uint32_t k = 0; k < count; k++) {
         uint32_t i = corners.point[k];
@@ -452,7 +453,7 @@ static uint32_t corners_of(struct points points)
         CHECK_DOUBLE(points.x[i], corners.points.x[k], "x of %u", k);
         CHECK_DOUBLE(points.y[i], corners.points.y[k], "y of %u", k);
     }
-    corners_free(&corners);
+    workspace_free(&workspace);
     return count;
 }
 
@@ -494,18 +495,20 @@ static void corners_of_any_threads(void)
     struct points points =
         generate(find_distribution("circle"), 2000, 1);
     struct question question = ask(points, STANDARD, 1);
-    struct corners one = corners_find(&question);
+    struct workspace workspace = {0};
+    struct corners one = corners_find(&question, &workspace);
     CHECK(one.points.n > 1900, "a circle has corners all over");
     for (question.threads = 2; question.threads <= 64;
          question.threads *= 2) {
-        struct corners many = corners_find(&question);
+        struct mark mark = workspace_mark(&workspace);
+        struct corners many = corners_find(&question, &workspace);
         CHECK_INT(one.points.n, many.points.n, "%d threads",
                   question.threads);
         CHECK_INT(0, memcmp(one.point, many.point, 4 * one.points.n),
                   "%d threads: who", question.threads);
-        corners_free(&many);
+        workspace_release(&workspace, mark);
     }
-    corners_free(&one);
+    workspace_free(&workspace);
     points_free(&points);
 }
 
@@ -611,7 +614,7 @@ static uint32_t wrong_answers(struct points points,
                               sorted_search *search, double c)
 {
     struct question question = ask(points, STANDARD, 2);
-    struct sorted sorted = sorted_make(&question, c, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, c);
     struct answers right = answers_allocate(points.n);
     struct answers found = answers_for(points.n, FURTHEST);
     search_plainly(&question, &right);
@@ -675,8 +678,7 @@ static void tricks_count(void)
     const double expected[] = {4 * edge - 4, 4 + 16 / edge};
     struct points points = generate(find_distribution("uniform"), n, 1);
     struct question question = ask(points, STANDARD, 2);
-    struct sorted sorted =
-        sorted_make(&question, TRUSTED, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, TRUSTED);
     struct answers found = answers_for(n, FURTHEST);
     for (int trick = 0; trick < 2; trick++) {
         double cells = expected[trick];

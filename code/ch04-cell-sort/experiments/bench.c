@@ -55,7 +55,7 @@ static const struct {
 struct bench bench_make(struct question question, double c)
 {
     struct bench b = {.question = question};
-    b.sorted = sorted_make(&question, c, cells_sort_alone);
+    b.sorted = sorted_make(&question, c);
     b.lists = lists_make(&b.sorted.grid, question.points);
     b.answers = new_answers(question.points.n, BOTH);
     return b;

@@ -29,8 +29,7 @@ static struct sums add_up(enum geometry geometry, uint32_t n, int sets,
         struct question question = uniform_question(geometry, n, set);
         question.threads = omp_get_num_procs();
         question.counts = &sums.counts;
-        struct sorted sorted =
-            sorted_make(&question, c, cells_sort_alone);
+        struct sorted sorted = sorted_make(&question, c);
         struct answers *right = new_answers(n, NEAREST);
         struct answers *found = new_answers(n, NEAREST);
         search_sorted(&question, &sorted, right);

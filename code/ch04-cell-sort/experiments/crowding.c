@@ -7,7 +7,7 @@
 static double distances(uint32_t n, double c)
 {
     struct question question = uniform_question(STANDARD, n, 1);
-    struct sorted sorted = sorted_make(&question, c, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, c);
     struct counts counts = {0};
     question.counts = &counts;
     search_sorted(&question, &sorted, new_answers(n, NEAREST));

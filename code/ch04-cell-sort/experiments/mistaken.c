@@ -51,8 +51,7 @@ int main(int argc, char **argv)
             uniform_question(STANDARD, POINTS, seed);
         struct answers *right = new_answers(POINTS, NEAREST);
         struct answers *found = new_answers(POINTS, NEAREST);
-        struct sorted sorted =
-            sorted_make(&question, 1, cells_sort_alone);
+        struct sorted sorted = sorted_make(&question, 1);
         search_nine_cells(&question, &sorted, found);
         search_sorted(&question, &sorted, right);
         i = first_mistaken(right, found, POINTS);

@@ -84,8 +84,7 @@ static void replay_search(struct replay *r, const char *kind,
 {
     struct question question = kind_question(kind, n, 1);
     question.space.geometry = WRAPAROUND;
-    struct sorted sorted =
-        sorted_make(&question, PER_CELL, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, PER_CELL);
     *r = (struct replay){0};
     for (int k = 0; k < LENGTHS; k++) {
         r->predictors[k].length = lengths[k];

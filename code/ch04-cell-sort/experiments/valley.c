@@ -28,8 +28,7 @@ static void by_lists(void *context)
 static void point_by_point(void *context)
 {
     struct attempt *a = context;
-    struct sorted sorted =
-        sorted_make(a->question, a->c, cells_sort_alone);
+    struct sorted sorted = sorted_make(a->question, a->c);
     search_sorted(a->question, &sorted, a->answers);
     sorted_free(&sorted);
 }
@@ -37,8 +36,7 @@ static void point_by_point(void *context)
 static void in_batches(void *context)
 {
     struct attempt *a = context;
-    struct sorted sorted =
-        sorted_make(a->question, a->c, cells_sort_alone);
+    struct sorted sorted = sorted_make(a->question, a->c);
     search_batches(a->question, &sorted, a->answers);
     sorted_free(&sorted);
 }

@@ -3,7 +3,6 @@
 // loser. Then counts points of all kinds in their own cells, plainly,
 // by groups and by detecting conflicts, beside what the line predicts.
 //     bill [POINTS [TRIALS]]
-#include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"
 #include "common/experiment.h"

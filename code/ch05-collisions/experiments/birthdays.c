@@ -3,7 +3,6 @@
 // expected if the points come in random order. On average over several
 // sets of points.
 //     birthdays [POINTS [SETS]]
-#include "ch05-collisions/cell_ids.h"
 #include "ch05-collisions/groups.h"
 #include "common/experiment.h"
 

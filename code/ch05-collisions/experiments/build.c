@@ -75,8 +75,7 @@ int main(int argc, char **argv)
     struct steps one = {.question = uniform_question(STANDARD, n, 1),
                         .answers = new_answers(n, BOTH),
                         .workspace = &workspace};
-    one.sorted =
-        sorted_make(&one.question, POINTS_PER_CELL, cells_sort_alone);
+    one.sorted = sorted_make(&one.question, POINTS_PER_CELL);
     struct steps all = one;
     all.question.threads = omp_get_num_procs();
     struct trial trials[STEPS * WAYS];

@@ -3,7 +3,7 @@
 // The threads race, on purpose, like those of chapter 3. Prints what
 // should have been counted in every cell, and what was.
 //     lost-counts [POINTS]
-#include "ch05-collisions/cell_ids.h"
+#include "ch04-cell-sort/grid.h"
 #include "common/experiment.h"
 
 enum { CELLS = 576, MOST_LANES = 1024, WAYS = 5, ROUNDS = 100 };

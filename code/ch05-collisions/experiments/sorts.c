@@ -11,6 +11,16 @@
 
 static struct workspace kept;
 
+typedef struct cells cell_sort(const struct grid *grid,
+                               struct points points, int threads);
+
+static struct cells sort_alone(const struct grid *grid,
+                               struct points points, int threads)
+{
+    (void)threads;
+    return cells_sort(grid, points);
+}
+
 // What does not sort by cell is the partition, in a workspace that it
 // keeps between runs, or NULL, in memory that it gets anew.
 static const struct {
@@ -18,7 +28,7 @@ static const struct {
     cell_sort *sort;
     struct workspace *workspace;
 } sorts[] = {
-    {"serial", cells_sort_alone, NULL},
+    {"serial", sort_alone, NULL},
     {"atomic", cells_sort_atomic, NULL},
     {"private", cells_sort_private, NULL},
     {"partition", NULL, &kept},

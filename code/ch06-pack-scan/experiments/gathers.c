@@ -4,7 +4,7 @@
 // and at random.
 //     gathers [TRIALS]
 #include "ch06-pack-scan/experiments/workload.h"
-#include "ch06-pack-scan/portable.h"
+#include "ch06-pack-scan/primitives.h"
 #ifdef HAVE_X86_VECTORS
 #include <immintrin.h>
 

@@ -18,10 +18,10 @@ struct calls {
 static void run_scan(void *context)
 {
     const struct calls *r = context;
+    const struct rounds rounds = {r->p, r->block, r->threads};
     for (int round = 0; round < r->rounds; round++)
         if (r->threads > 1)
-            scan_blocked(r->p, r->to, r->from, r->n, 0, r->block,
-                         r->threads);
+            scan_blocked(&rounds, r->to, r->from, r->n, 0);
         else
             r->p->scan(r->to, r->from, r->n, 0);
 }
@@ -29,10 +29,10 @@ static void run_scan(void *context)
 static void run_pack(void *context)
 {
     const struct calls *r = context;
+    const struct rounds rounds = {r->p, r->block, r->threads};
     for (int round = 0; round < r->rounds; round++)
         if (r->threads > 1)
-            pack_blocked(r->p, r->to, r->from, r->keep, r->n, r->block,
-                         r->threads);
+            pack_blocked(&rounds, r->to, r->from, r->keep, r->n);
         else
             r->p->pack(r->to, r->from, r->keep, r->n);
 }

@@ -5,7 +5,6 @@
 #include "ch08-vector-spiral/by_primitives.h"
 #include "ch08-vector-spiral/spiral_kernels.h"
 #include "ch08-vector-spiral/vector_spiral.h"
-#include "common/clock.h"
 
 void spiral_primitives(const struct question *question,
                        struct answers *answers)
@@ -32,7 +31,7 @@ void spiral_in_order(const struct question *question,
 {
     struct grid grid = grid_fit(question, 1);
     struct cells cells = cells_sort(&grid, question->points);
-    answers->built_ns = clock_ns();
+    note_built(question);
     search_spiral(question, &grid, &cells, cells.point, answers);
     cells_free(&cells);
     grid_free(&grid);

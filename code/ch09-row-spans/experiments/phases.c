@@ -27,8 +27,8 @@ static void fit(void *context)
 static void sort_and_copy(void *context)
 {
     struct phases *p = context;
-    struct sorted sorted = sorted_make(
-        &p->question, POINTS_PER_SPAN_CELL, cells_sort_alone);
+    struct sorted sorted =
+        sorted_make(&p->question, POINTS_PER_SPAN_CELL);
     sorted_free(&sorted);
 }
 

@@ -32,11 +32,11 @@ static void by_sorted(void *context)
 }
 
 // The exact query of row spans without its pruning.
-static struct point_query query_all_rows(const struct scene *scene,
-                                         uint32_t s)
+static struct query query_all_rows(const struct scene *scene,
+                                   uint32_t s)
 {
     const struct grid *grid = &scene->sorted->grid;
-    struct point_query query = query_of(scene->sorted, s);
+    struct query query = query_of(scene->sorted, s);
     const uint32_t own = axis_cell(&grid->y, query.y);
     for (uint32_t radius = 1;; radius *= 2) {
         struct block block = block_of(grid, query.x, query.y, radius);
@@ -52,8 +52,8 @@ static struct point_query query_all_rows(const struct scene *scene,
     }
 }
 
-typedef struct point_query query_function(const struct scene *scene,
-                                          uint32_t s);
+typedef struct query query_function(const struct scene *scene,
+                                    uint32_t s);
 
 // One query after the other, in the order of the cells.
 static void query_each(struct steps *s, query_function *query,
@@ -64,7 +64,7 @@ static void query_each(struct steps *s, query_function *query,
     const struct scene scene = {s->question.space, sorted, kernels};
     struct counts counts = {.tasks = sorted->points.n};
     for (uint32_t k = 0; k < sorted->points.n; k++) {
-        struct point_query found = query(&scene, k);
+        struct query found = query(&scene, k);
         s->answers->nearest[point[k]] = found.nearest;
         s->answers->nearest2[point[k]] = found.best2;
         counts.distances += found.compared;

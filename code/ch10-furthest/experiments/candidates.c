@@ -9,7 +9,7 @@
 static void print_counts(struct question question, double c)
 {
     const uint32_t n = question.points.n;
-    struct sorted sorted = sorted_make(&question, c, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, c);
     struct answers *answers = new_answers(n, FURTHEST);
     double side = sqrt(grid_cells(&sorted.grid));
     double mean = (double)n / grid_cells(&sorted.grid);

@@ -59,8 +59,7 @@ static void draw(const char *panel, bool missed)
             uniform_question(STANDARD, POINTS, seed);
         struct answers *found = new_answers(POINTS, BOTH);
         struct answers *right = new_answers(POINTS, BOTH);
-        struct sorted sorted =
-            sorted_make(&question, 2, cells_sort_alone);
+        struct sorted sorted = sorted_make(&question, 2);
         search_one_corner(&question, &sorted, found);
         naive(&question, right);
         query = worth_drawing(question.points, found, right, missed);

@@ -21,7 +21,8 @@ static void count_corners(const struct question *question,
 {
     const uint32_t n = question->points.n;
     struct answers *answers = new_answers(n, FURTHEST);
-    struct corners corners = corners_find(question);
+    struct workspace workspace = {0};
+    struct corners corners = corners_find(question, &workspace);
     search_corners(question, &corners, answers);
     uint8_t *furthest = take(n, 1);
     for (uint32_t i = 0; i < n; i++)
@@ -29,7 +30,7 @@ static void count_corners(const struct question *question,
     for (uint32_t i = 0; i < n; i++)
         tally->furthest += furthest[i];
     tally->corners += corners.points.n;
-    corners_free(&corners);
+    workspace_free(&workspace);
 }
 
 static void print_count(const char *kind, uint32_t n, int sets)

@@ -25,8 +25,7 @@ int main(int argc, char **argv)
 {
     experiment_begin(argc, argv);
     struct question question = uniform_question(STANDARD, POINTS, 1);
-    struct sorted sorted =
-        sorted_make(&question, PER_CELL, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, PER_CELL);
     const struct grid *grid = &sorted.grid;
     for (uint32_t row = grid->y.count / 2; row-- > 0;)
         for (uint32_t column = 0; column < grid->x.count; column++)

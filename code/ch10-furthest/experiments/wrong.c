@@ -30,8 +30,7 @@ static void print_wrong(const char *name, const char *kind, uint32_t n,
         struct question question = kind_question(kind, n, set + 1);
         struct answers *right = new_answers(n, FURTHEST);
         struct answers *found = new_answers(n, FURTHEST);
-        struct sorted sorted =
-            sorted_make(&question, c, cells_sort_alone);
+        struct sorted sorted = sorted_make(&question, c);
         find_algorithm("furthest-hull")->run(&question, right);
         search_edge_cells(&question, &sorted, found);
         edge += wrong_share(found, right, n);
