@@ -16,7 +16,7 @@ int64_t clock_ns(void)
 }
 //<
 
-//> Sum up repeated trials
+//> Find the value at a share of the way
 static int by_value(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -32,7 +32,9 @@ static double quantile(const double *sorted, int n, double share)
     return sorted[below] +
            (place - below) * (sorted[below + 1] - sorted[below]);
 }
+//<
 
+//> Sum up repeated trials
 struct summary summarize(double *values, int n)
 {
     assert(n >= 1 && "nothing has no median");
@@ -47,7 +49,7 @@ struct summary summarize(double *values, int n)
 }
 //<
 
-//> Time several versions in turn
+//> Time one run
 static int64_t run_time(const struct trial *version)
 {
     if (version->prepare)
@@ -56,7 +58,9 @@ static int64_t run_time(const struct trial *version)
     version->work(version->context);
     return clock_ns() - start;
 }
+//<
 
+//> Time several versions in turn
 void time_in_turn(int trials, struct trial *versions, int count)
 {
     const size_t stride = trials;

@@ -1,4 +1,4 @@
-//> Declare the clock and the trials
+//> Declare the clock
 // Time measured by the monotonic clock, in nanoseconds, and repeated
 // trials summed up by their median and quartiles: on a machine with
 // neighbors, a single time or a mean says little.
@@ -13,7 +13,9 @@ struct summary {
 
 // Sorts values[0 .. n-1], n >= 1, and interpolates the quartiles.
 struct summary summarize(double *values, int n);
+//<
 
+//> Declare the trials
 // Something to be timed, and how long a run of it took, in nanoseconds.
 struct trial {
     void (*work)(void *context);

@@ -31,7 +31,9 @@ static void gather(struct points points, struct random *random,
             centers[center][1] + scale * random_normal(random);
     }
 }
+//<
 
+//> Choose the centers
 static void clustered(struct points points, uint64_t seed)
 {
     struct random random = {seed};
@@ -130,7 +132,9 @@ const struct distribution distributions[] = {
 };
 const int distribution_count =
     sizeof distributions / sizeof *distributions;
+//<
 
+//> Find a generator by its name
 const struct distribution *find_distribution(const char *name)
 {
     for (int row = 0; row < distribution_count; row++)

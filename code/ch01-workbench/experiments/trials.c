@@ -3,6 +3,7 @@
 //     trials [TRIALS]
 #include "common/experiment.h"
 
+//> Sweep over the points
 static double sweep(const struct points *points)
 {
     double nearest2 = INFINITY;
@@ -14,6 +15,7 @@ static double sweep(const struct points *points)
     }
     return nearest2;
 }
+//<
 
 static double clock_step(void)
 {
