@@ -26,6 +26,8 @@ endif
 override CFLAGS := -std=c17 -O3 -march=$(MARCH) -ffp-contract=off \
 	-fopenmp -Wall -Wextra -Wpedantic -Wno-missing-field-initializers \
 	$(WERROR) $(CFLAGS)
+comma    := ,
+CXXFLAGS  = $(patsubst -std=c17,-std=c++17,$(CFLAGS))
 CPPFLAGS := -Icode -D_GNU_SOURCE -MMD -MP
 LDLIBS   := -lm
 
@@ -88,6 +90,25 @@ $(BUILD)/plain/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 # A table of measurements says with which flags it was made.
 $(BUILD)/plain/common/report.o: CPPFLAGS += -DBUILD_FLAGS='"$(CFLAGS)"'
 
+# Numbers are read and written by the C++ library, or where that cannot
+# be had by the C library, which takes longer. The file says which: it
+# holds what to link with, if anything.
+charconv := $(BUILD)/charconv
+needed   := $(if $(filter Darwin,$(shell uname)),,-Wl$(comma)--as-needed)
+$(charconv): code/common/charconv.cc $(BUILD)/flags | $(BUILD)/setup/code
+	@echo 'char *number_to_text(char *, double);' \
+	    'int main(void) { char text[40]; number_to_text(text, 1); }' >$@.c
+	@if { $(CXX) -Icode $(CXXFLAGS) -c $< -o $@.o && \
+	    $(CC) $(CFLAGS) $@.c $@.o -o $@.try -lstdc++; } >$@.log 2>&1; \
+	then echo $(needed) -lstdc++; fi >$@.new; mv $@.new $@
+
+$(BUILD)/plain/common/numbers.o: code/common/numbers.c code/common/charconv.cc $(charconv)
+	@mkdir -p $(@D)
+	$(call say,compile)
+	$(Q)if [ -s $(charconv) ]; \
+	then $(CXX) $(CPPFLAGS) $(CXXFLAGS) -c code/common/charconv.cc -o $@; \
+	else $(CC) $(CPPFLAGS) $(CFLAGS) -c $< -o $@; fi
+
 # The modules are one library, what programs share is another. Both are
 # thin, lists of objects, where ar can make such; each program takes
 # from them what it uses.
@@ -104,11 +125,11 @@ $(libraries):
 # which objects of the libraries it took, and from then on the program
 # waits for these, and no longer for all.
 define link_rule
-$(1): $(2) $(if $(wildcard $(1).d),|) $(libraries)
+$(1): $(2) $(charconv) $(if $(wildcard $(1).d),|) $(libraries)
 	@mkdir -p $$(@D)
 	$$(call say,link)
 	$$(Q)$$(CC) $$(CFLAGS) $(2) $$(libraries) -o $$@ $(3) $$(LDLIBS) \
-		-Wl,-t >$$@.taken
+		@$(charconv) -Wl,-t >$$@.taken
 	@awk -v program=$$@ -v own=' $(strip $(2)) ' -v plain=$(BUILD)/plain/ \
 		'index($$$$0, plain) == 1 && !index(own, " " $$$$0 " ") \
 		{ print program ": " $$$$0 "\n" $$$$0 ":" }' $$@.taken >$$@.d

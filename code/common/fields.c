@@ -1,9 +1,9 @@
 // Everything looks at the line from left to right. Decimal points are
 // points because no program of ours leaves the C locale.
 #include "common/fields.h"
+#include "common/numbers.h"
 #include <ctype.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 const char *field_end(const char *line, char separator)
@@ -22,13 +22,14 @@ char separator_of(const char *line)
     return ' ';
 }
 
-// The field behind this one; NULL if it is the last.
-static const char *next_field(const char *field, char separator)
+const char *next_field(const char *place, char separator)
 {
-    const char *end = field_end(field, separator);
+    const char *end = field_end(place, separator);
     if (!*end)
         return NULL;
-    return end + 1 + strspn(end + 1, " ");
+    while (*++end == ' ')
+        ;
+    return end;
 }
 
 int count_fields(const char *line, char separator)
@@ -46,18 +47,16 @@ const char *find_field(const char *line, char separator, int column)
     return line;
 }
 //> Read the number in a field
-bool read_number(const char *field, char separator, double *number)
+const char *read_number(const char *field, char separator,
+                        double *number)
 {
-    char *end;
-    if (!field || *field == '\t' ||
-        tolower((unsigned char)field[strspn(field, "+-0")]) == 'x')
-        return false;
-    *number = strtod(field, &end);
+    const char *end = number_from_text(field, number);
     if (end == field)
-        return false;
+        return NULL;
     if (separator != ' ')
-        end += strspn(end, " ");
-    return *end == 0 || *end == separator;
+        while (*end == ' ')
+            end++;
+    return *end == 0 || *end == separator ? end : NULL;
 }
 //<
 

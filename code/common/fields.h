@@ -18,9 +18,15 @@ int count_fields(const char *line, char separator);
 // The field in this column, from 1; NULL if the line has fewer.
 const char *find_field(const char *line, char separator, int column);
 
-// Whether the field is a number and nothing else. It may be infinite or
-// no number at all in the sense of IEEE 754, but not hexadecimal.
-bool read_number(const char *field, char separator, double *number);
+// The field behind the one with this place in it; NULL if that is the
+// last.
+const char *next_field(const char *place, char separator);
+
+// The end of a field that is a number and nothing else; NULL if it is
+// not. The number may be infinite or no number at all in the sense of
+// IEEE 754, but not hexadecimal.
+const char *read_number(const char *field, char separator,
+                        double *number);
 
 // Whether the field's number is 0 in a double and is not 0 as written.
 bool has_vanished(const char *field, double number);

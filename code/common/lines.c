@@ -1,37 +1,39 @@
-// One character after the other into one buffer, and a null character
-// behind it: what was never meant to be read by people, or has no line
-// end in a megabyte, is refused and not guessed at.
+// Each line is copied and made plain there: the text stays as it came.
+// What was never meant to be read by people, or has no line end in a
+// megabyte, is refused and not guessed at.
 #include "common/lines.h"
 #include "common/allocate.h"
 #include "common/fail.h"
 #include "common/fields.h"
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-struct lines lines_open(const char *name)
+// Behind the last line that has an end; or where the text begins.
+static const char *last_end(const char *text, size_t length)
 {
-    bool from_stdin = strcmp(name, "-") == 0;
-    struct lines lines = {.name = from_stdin ? "standard input" : name,
-                          .file =
-                              from_stdin ? stdin : fopen(name, "r")};
-    if (!lines.file)
-        fail("cannot open %s: %s", name, strerror(errno));
-    lines.line = allocate(LONGEST_LINE, 1);
-    return lines;
+    while (length > 0 && text[length - 1] != '\n')
+        length--;
+    return text + length;
 }
 
-void lines_close(struct lines *lines)
+struct lines lines_of(struct stream *stream)
 {
-    free(lines->line);
-    if (lines->file != stdin)
-        fclose(lines->file);
+    return (struct lines){.stream = stream,
+                          .next = stream->bytes,
+                          .end =
+                              last_end(stream->bytes, stream->length),
+                          .copy = allocate(LONGEST_LINE, 1)};
+}
+
+void lines_free(struct lines *lines)
+{
+    free(lines->copy);
 }
 //> Say what is wrong with a line
 void reject(const struct lines *lines, const char *expected)
 {
     enum { longest = 60 }; // a quotation, not the whole file
-    fail("%s:%zu: expected %s, found \"%.*s\"%s", lines->name,
+    fail("%s:%zu: expected %s, found \"%.*s\"%s", lines->stream->name,
          lines->number, expected, longest, lines->line,
          strlen(lines->line) > longest ? "..." : "");
 }
@@ -40,64 +42,109 @@ void reject(const struct lines *lines, const char *expected)
 // people.
 static bool is_text(const char *line, size_t length)
 {
-    for (const char *c = line; c < line + length; c++)
-        if ((unsigned char)*c < ' ' && *c != '\t' && *c != '\n' &&
-            !(*c == '\r' && (c[1] == '\n' || c[1] == 0)))
-            return false;
-    return true;
-}
-// The length of the next line with its end; 0 at the end of the file.
-// A null character ends it too: what follows one is no text.
-static size_t read_line(struct lines *lines)
-{
-    size_t length = 0;
-    int c = ' ';
-    while (c && c != '\n' && length < LONGEST_LINE - 1 &&
-           (c = getc_unlocked(lines->file)) != EOF)
-        lines->line[length++] = (char)c;
-    lines->line[length] = 0;
-    return length;
+    unsigned char control = 0;
+    length -= length > 0 && line[length - 1] == '\n';
+    length -= length > 0 && line[length - 1] == '\r';
+    for (size_t k = 0; k < length; k++)
+        control |= (unsigned char)line[k] < ' ' && line[k] != '\t';
+    return !control;
 }
 
 // Cuts off a comment, the line's end and the spaces around the rest.
-static void trim(char *line)
+static void trim(struct lines *lines)
 {
-    char *start = line + strspn(line, " ");
-    char *end = start + (field_end(start, '#') - start);
-    while (end > start && strchr(" \r\n", end[-1]))
+    char *line = lines->line + strspn(lines->line, " ");
+    char *end = strchr(line, '#') ? line + (field_end(line, '#') - line)
+                                  : strchr(line, 0);
+    while (end > line &&
+           (end[-1] == ' ' || end[-1] == '\r' || end[-1] == '\n'))
         end--;
-    memmove(line, start, end - start);
-    line[end - start] = 0;
+    *end = 0;
+    lines->line = line;
 }
 
 void blank_tabs(struct lines *lines)
 {
-    for (char *c = lines->line; (c = strchr(c, '\t')); c++)
+    char *tab = strchr(lines->line, '\t');
+    for (char *c = tab; c; c = strchr(c, '\t'))
         *c = ' ';
-    trim(lines->line);
+    if (tab)
+        trim(lines);
+}
+
+static void make_plain(struct lines *lines, const char *line,
+                       size_t length)
+{
+    lines->line = memcpy(lines->copy, line, length);
+    lines->line[length] = 0;
+    if (strncmp(lines->line, "\xef\xbb\xbf", 3) == 0)
+        memset(lines->line, ' ', 3); // a byte order mark
+    trim(lines);
+    if (!lines->tabs)
+        blank_tabs(lines);
+}
+
+// Of the next line, with its end; 0 if there is none.
+static size_t line_length(const struct lines *lines)
+{
+    const size_t rest = lines->end - lines->next;
+    const char *newline = memchr(lines->next, '\n', rest);
+    return newline ? (size_t)(newline + 1 - lines->next) : rest;
+}
+
+bool take_line(struct lines *lines)
+{
+    do {
+        const char *line = lines->next;
+        const size_t length = line_length(lines);
+        if (length == 0 || length >= LONGEST_LINE - 1 ||
+            !is_text(line, length))
+            return false;
+        lines->next += length;
+        lines->number++;
+        lines->complete = line[length - 1] == '\n';
+        make_plain(lines, line, length);
+    } while (!lines->line[strspn(lines->line, " \t")]);
+    return true;
+}
+
+// Gets more text, up to the last end of a line; at the end of the file,
+// or where a line is too long, all there is. False if there is none.
+static bool read_text(struct lines *lines)
+{
+    struct stream *stream = lines->stream;
+    size_t came;
+    bool ended;
+    stream_drop(stream, lines->next - stream->bytes);
+    do {
+        came = stream_more(stream);
+        const char *fresh = stream->bytes + stream->length - came;
+        lines->end = last_end(fresh, came);
+        ended = lines->end > fresh;
+    } while (came > 0 && !ended && stream->length < LONGEST_LINE);
+    if (!ended)
+        lines->end = stream->bytes + stream->length;
+    lines->next = stream->bytes;
+    return lines->next < lines->end;
+}
+
+// Fails where the next line is no text.
+static void insist_on_text(const struct lines *lines)
+{
+    const size_t length = line_length(lines);
+    if (length > 0)
+        fail("%s:%zu: expected text, found a %s", lines->stream->name,
+             lines->number + 1,
+             is_text(lines->next, length) ? "line without end"
+                                          : "binary file");
 }
 
 bool next_line(struct lines *lines)
 {
-    do {
-        size_t length = read_line(lines);
-        if (ferror(lines->file))
-            fail("cannot read %s: %s", lines->name, strerror(errno));
-        if (length == 0)
+    while (!take_line(lines)) {
+        insist_on_text(lines);
+        if (!read_text(lines))
             return false;
-        lines->number++;
-        if (length == LONGEST_LINE - 1)
-            fail("%s:%zu: expected text, found a line without end",
-                 lines->name, lines->number);
-        lines->complete = lines->line[length - 1] == '\n';
-        if (!is_text(lines->line, length))
-            fail("%s:%zu: expected text, found a binary file",
-                 lines->name, lines->number);
-        if (strncmp(lines->line, "\xef\xbb\xbf", 3) == 0)
-            memset(lines->line, ' ', 3); // a byte order mark
-        trim(lines->line);
-        if (!lines->tabs)
-            blank_tabs(lines);
-    } while (!lines->line[strspn(lines->line, " \t")]);
+    }
     return true;
 }

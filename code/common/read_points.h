@@ -1,4 +1,5 @@
-// Points from a text file: a table of numbers, or TSPLIB.
+// Points from a file: a text that is a table of numbers or TSPLIB, or
+// an array of NumPy's.
 //
 // A table has a point a line, its fields separated by semicolons, or
 // else by commas, or else by single tabs, or else by spaces, however
@@ -8,18 +9,15 @@
 // than two columns needs to be told which two, and all its lines have
 // as many fields as the first. TSPLIB files are known by the keyword of
 // their first line; their NODE_COORD_SECTION must hold as many points
-// as DIMENSION says.
+// as DIMENSION says. For .npy files see read_npy.h.
 #pragma once
+#include "common/point_line.h"
 #include "common/points.h"
 
-// Which columns of a table hold x and y, counted from 1; both 0: there
-// are no others.
-struct columns {
-    int x, y;
-};
-
 // The points of the file of this name, or of standard input for "-": at
-// least one, all coordinates finite, and 0 only where 0 is written. The
+// least one, all coordinates finite, and 0 only where 0 is written. So
+// many threads read a file, or fewer; the points are the same. The
 // caller releases them with points_free. Fails with the name of the
 // file, the line, and what was found there.
-struct points read_points(const char *name, struct columns columns);
+struct points read_points(const char *name, struct columns columns,
+                          int threads);

@@ -52,7 +52,7 @@ struct verdicts check_answers(const struct question *question,
             !is_right(question, FURTHEST, i, answers->furthest[i],
                       answers->furthest2[i]))
             note_wrong(&verdicts.furthest, i);
-        progress_row();
+        progress_rows(1);
     }
     progress_stop();
     return verdicts;

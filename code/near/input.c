@@ -3,9 +3,12 @@
 #include "near/input.h"
 #include "common/fail.h"
 #include "near/progress.h"
+#include "near/threads.h"
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #ifdef __linux__
 #include <sys/sysinfo.h>
 #endif
@@ -32,16 +35,31 @@ static void insist_on_memory(uint32_t n, unsigned answers)
              "this machine has %.0f",
              n, needed / 1e9, memory_there() / 1e9);
 }
+// A line of a table with a point has four characters at least. What is
+// no file, such as a pipe, is read by one thread.
+static int threads_to_read(const struct options *options)
+{
+    struct stat file;
+    const bool from_stdin = strcmp(options->file, "-") == 0;
+    const int found = from_stdin ? fstat(STDIN_FILENO, &file)
+                                 : stat(options->file, &file);
+    return found == 0 && S_ISREG(file.st_mode)
+               ? threads_for(options->threads, file.st_size / 4 + 1)
+               : 1;
+}
+
 struct points get_points(const struct options *options,
                          unsigned answers)
 {
     if (!options->file)
         insist_on_memory(options->n, answers);
+    int threads = options->file ? threads_to_read(options) : 1;
     progress_start(options->file ? "reading" : "drawing points", 0);
     struct points points =
-        options->file ? read_points(options->file, options->columns)
-                      : generate(options->distribution, options->n,
-                                 options->seed);
+        options->file
+            ? read_points(options->file, options->columns, threads)
+            : generate(options->distribution, options->n,
+                       options->seed);
     progress_stop();
     insist_on_memory(points.n, answers);
     if (points.n < 2)

@@ -10,6 +10,7 @@
 #include "near/options.h"
 #include "near/progress.h"
 #include "near/summary.h"
+#include "near/table.h"
 #include "near/threads.h"
 #include "near/write.h"
 #include <fcntl.h>
@@ -162,10 +163,12 @@ static int near(const struct options *options)
     warn_of_range(&question, &answers);
 
     bool right = !options->check || check(options, &question, &answers);
-    if (options->output && right)
-        write_answers(points, &answers);
-    else
+    if (options->output && right) {
+        write_table(table_kind(options->output), &question, &answers);
+        write_close();
+    } else {
         write_abandon(); // wrong answers are not worth a file
+    }
     if (!options->output && !options->timing) {
         print_distances(options, &question, &answers);
         print_times(&plan, question.threads);

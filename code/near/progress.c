@@ -58,9 +58,10 @@ void progress_start(const char *what, uint32_t rows)
         progress.running = false; // then without it
 }
 
-void progress_row(void)
+void progress_rows(uint32_t count)
 {
-    atomic_fetch_add_explicit(&progress.done, 1, memory_order_relaxed);
+    atomic_fetch_add_explicit(&progress.done, count,
+                              memory_order_relaxed);
 }
 
 void progress_stop(void)

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 // Starts to show what is done. If rows is not 0, the share of the rows
-// that progress_row has been told of is shown as well.
+// that progress_rows has been told of is shown as well.
 void progress_start(const char *what, uint32_t rows);
-void progress_row(void); // called by any thread
+void progress_rows(uint32_t count); // more; called by any thread
 void progress_stop(void);

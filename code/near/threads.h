@@ -12,6 +12,7 @@ enum { MAX_THREADS = 1024 }; // that can be asked for
 // or cannot be had. To be called first.
 void let_waiting_threads_sleep(char **argv);
 
-// How many to use for n points, if so many are wanted, or 0 if that was
-// left open. Fails where the system does not start them.
-int threads_for(int wanted, uint32_t n);
+// How many to use for n points, at least one, if so many are wanted, or
+// 0 if that was left open. Fails where the system does not start them.
+// To be asked before threads work, and after that for no more points.
+int threads_for(int wanted, uint64_t n);

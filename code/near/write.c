@@ -2,9 +2,7 @@
 // cleans up after a failure must be able to find it: hence the state.
 #include "near/write.h"
 #include "common/fail.h"
-#include "near/progress.h"
 #include <errno.h>
-#include <inttypes.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -15,6 +13,7 @@
 #include <unistd.h>
 
 static FILE *out;
+static int failure;                 // an errno, of the first
 static const char *target;          // as messages call it
 static char path[PATH_MAX];         // where the file shall be
 static char partial[PATH_MAX + 32]; // where it is until then, or ""
@@ -91,52 +90,34 @@ void write_open(const char *name)
     if (!out)
         fail("cannot write %s: %s", target, strerror(errno));
 }
-static void finish(void)
+
+bool write_is_file(void)
 {
-    bool bad = ferror(out) | (fflush(out) != 0);
-    if (bad || (out != stdout && fclose(out) != 0) ||
-        (*partial && rename(partial, path) != 0))
-        fail("cannot write %s: %s", target, strerror(errno));
-    *partial = 0;
-}
-static void write_coordinate(double value)
-{
-    char text[32];
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "\t%.*g", digits, value);
-        if (strtod(text, NULL) == value)
-            break;
-    }
-    fputs(text, out);
-}
-static void write_neighbor(const uint32_t *neighbor,
-                           const double *distance2, uint32_t i)
-{
-    if (neighbor)
-        fprintf(out, "\t%" PRIu32 "\t%.17g", neighbor[i],
-                sqrt(distance2[i]));
+    struct stat file;
+    return fstat(fileno(out), &file) == 0 && S_ISREG(file.st_mode);
 }
 
-void write_answers(struct points points, const struct answers *answers)
+void write_bytes(const char *bytes, size_t count)
 {
-    fputs("i\tx\ty", out);
-    if (answers->nearest)
-        fputs("\tnearest\tnearest_distance", out);
-    if (answers->furthest)
-        fputs("\tfurthest\tfurthest_distance", out);
-    fputs("\n", out);
-    struct stat file;
-    if (fstat(fileno(out), &file) == 0 && S_ISREG(file.st_mode))
-        progress_start("writing", points.n);
-    for (uint32_t i = 0; i < points.n && !ferror(out); i++) {
-        fprintf(out, "%" PRIu32, i);
-        write_coordinate(points.x[i]);
-        write_coordinate(points.y[i]);
-        write_neighbor(answers->nearest, answers->nearest2, i);
-        write_neighbor(answers->furthest, answers->furthest2, i);
-        fputs("\n", out);
-        progress_row();
-    }
-    progress_stop();
-    finish();
+    if (!failure && fwrite(bytes, 1, count, out) != count)
+        failure = errno;
+}
+
+// The new file is on the disk before it takes the place of an old one:
+// a machine that stops has one of them.
+static bool settle(void)
+{
+    if (fflush(out) != 0 || (*partial && fsync(fileno(out)) != 0))
+        return false;
+    return (out == stdout || fclose(out) == 0) &&
+           (!*partial || rename(partial, path) == 0);
+}
+
+void write_close(void)
+{
+    if (!failure && !settle())
+        failure = errno;
+    if (failure)
+        fail("cannot write %s: %s", target, strerror(failure));
+    *partial = 0;
 }

@@ -13,11 +13,12 @@
 struct file {
     char name[40];
     struct columns columns;
+    int threads;
 };
 
 static struct file make_file(const char *text, size_t size)
 {
-    struct file file = {"/tmp/near-test-XXXXXX", {0, 0}};
+    struct file file = {"/tmp/near-test-XXXXXX", {0, 0}, 1};
     int descriptor = mkstemp(file.name);
     if (descriptor < 0 ||
         write(descriptor, text, size) != (ssize_t)size)
@@ -29,7 +30,8 @@ static struct file make_file(const char *text, size_t size)
 static void read_it(void *context)
 {
     struct file *file = context;
-    struct points points = read_points(file->name, file->columns);
+    struct points points =
+        read_points(file->name, file->columns, file->threads);
     points_free(&points);
 }
 
@@ -38,7 +40,7 @@ static void check_points(const char *text, struct columns columns,
                          uint32_t n, const double (*expected)[2])
 {
     struct file file = make_file(text, strlen(text));
-    struct points points = read_points(file.name, columns);
+    struct points points = read_points(file.name, columns, 1);
     CHECK_INT(n, points.n, "points in \"%s\"", text);
     for (uint32_t i = 0; i < n && i < points.n; i++) {
         CHECK_DOUBLE(expected[i][0], points.x[i], "x %u of \"%s\"",
@@ -267,32 +269,74 @@ void bad_tsplib_files_are_refused(void)
 
 void no_file_at_all_is_refused(void)
 {
-    struct file missing = {"/no/such/file", {0, 0}};
-    struct file folder = {"/tmp", {0, 0}};
+    struct file missing = {"/no/such/file", {0, 0}, 1};
+    struct file folder = {"/tmp", {0, 0}, 1};
     CHECK_FAILS("cannot open /no/such/file: No such file", read_it,
                 &missing, "a missing file");
     CHECK_FAILS("cannot read /tmp: Is a directory", read_it, &folder,
                 "a folder");
 }
 
-// Enough for the arrays to grow several times.
-void many_points_are_read(void)
+// Enough for the arrays to grow several times, and for four threads.
+enum { many = 60000 };
+
+static size_t write_many(char *text)
 {
-    enum { n = 20000 };
-    char *text = malloc(n * 64);
     size_t size = 0;
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < many; i++)
         size += sprintf(text + size, "%.17g,%.17g\n", sqrt(i),
                         -1. / (i + 1));
-    struct file file = make_file(text, size);
-    struct points points = read_points(file.name, file.columns);
-    CHECK_INT(n, points.n, "points");
-    for (uint32_t i = 0; i < points.n; i++)
-        if (!CHECK_DOUBLE(sqrt(i), points.x[i], "x %u", (unsigned)i) ||
-            !CHECK_DOUBLE(-1. / (i + 1), points.y[i], "y %u",
-                          (unsigned)i))
-            break;
-    points_free(&points);
+    return size;
+}
+
+void many_points_are_read(void)
+{
+    char *text = malloc(many * 64);
+    struct file file = make_file(text, write_many(text));
+    for (int threads = 1; threads <= 4; threads++) {
+        struct points points =
+            read_points(file.name, file.columns, threads);
+        CHECK_INT(many, points.n, "points");
+        for (uint32_t i = 0; i < points.n; i++)
+            if (!CHECK_DOUBLE(sqrt(i), points.x[i], "x %u",
+                              (unsigned)i) ||
+                !CHECK_DOUBLE(-1. / (i + 1), points.y[i], "y %u",
+                              (unsigned)i))
+                break;
+        points_free(&points);
+    }
     unlink(file.name);
+    free(text);
+}
+
+// Of two bad lines the first is named, whichever thread has it. To be
+// run before this process has threads: its copies would miss them.
+void the_first_bad_line_is_named(void)
+{
+    char *text = malloc(many * 64);
+    const size_t size = write_many(text);
+    for (int k = 0; k < 8; k++) {
+        char *bad = text + size / 8 * k;
+        size_t line = 1;
+        for (char *c = text; c < bad; c++)
+            line += *c == '\n';
+        char before = *bad;
+        bool first_of_line = bad == text || bad[-1] == '\n';
+        if (before == '\n' || first_of_line)
+            bad++, before = *bad;
+        *bad = k % 2 ? 'x' : '\1';
+        text[size - 2] = 'y';
+        struct file file = make_file(text, size);
+        for (file.threads = 1; file.threads <= 4; file.threads++) {
+            char sentence[100];
+            snprintf(sentence, sizeof sentence, "%s:%zu: expected %s",
+                     file.name, line,
+                     k % 2 ? "two numbers" : "text, found a binary");
+            CHECK_FAILS(sentence, read_it, &file, "%d threads",
+                        file.threads);
+        }
+        unlink(file.name);
+        *bad = before;
+    }
     free(text);
 }

@@ -460,5 +460,8 @@ int main(void)
         TEST(good_tables_are_read), TEST(good_tsplib_files_are_read),
         TEST(bad_tables_are_refused),
         TEST(bad_tsplib_files_are_refused),
-        TEST(no_file_at_all_is_refused), TEST(many_points_are_read));
+        TEST(no_file_at_all_is_refused),
+        TEST(the_first_bad_line_is_named), TEST(many_points_are_read),
+        TEST(numbers_survive), TEST(extreme_numbers_survive),
+        TEST(numbers_are_short), TEST(both_ways_read_alike));
 }

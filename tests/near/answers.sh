@@ -27,8 +27,8 @@ check_by_awk() { # NAME WIDTH HEIGHT, answers.tsv
                         if (far < 0 || e > far2) { far = j; far2 = e }
                     }
                 split(line[i], f, "\t")
-                if (f[4] != near || f[5] != sprintf("%.17g", sqrt(near2)) ||
-                    f[6] != far || f[7] != sprintf("%.17g", sqrt(far2)))
+                if (f[4] != near || f[5] + 0 != sqrt(near2) ||
+                    f[6] != far || f[7] + 0 != sqrt(far2))
                     print "point " i ": " near, sqrt(near2), far, sqrt(far2)
             }
             if (n == 0) print "no points"
@@ -86,8 +86,8 @@ done
 
 three | accepts 'a file from standard input' - -o answers.tsv
 says 'its answers' "0	0	0	2	1	1	5
-1	3	4	2	4.2426406871192848	0	5
-2	0	1	0	1	1	4.2426406871192848" "$(tail -n +2 answers.tsv)"
+1	3	4	2	4.242640687119285	0	5
+2	0	1	0	1	1	4.242640687119285" "$(tail -n +2 answers.tsv)"
 printf 'name;y;x\nUlm;4;3\nRom;0;0\nBonn;1;0\n' |
     accepts 'columns' - --columns 3,2 -o answers.tsv
 says 'in their order' '3 4
@@ -103,6 +103,32 @@ cut -f 2,3 points.tsv >coordinates.tsv
 accepts 'is read back' coordinates.tsv -o again.tsv
 cmp -s points.tsv again.tsv && ok 'to the last bit' ||
     not_ok 'to the last bit' 'the files differ'
+
+# Any number of threads reads and writes the same: a file long enough
+# for each to have its part, with lines of every kind.
+awk -v OFS=', ' 'BEGIN {
+    print "\357\273\277name,x,y # a header"
+    for (i = 0; i < 60000; i++)
+        print (i % 7 ? "point" : "\"a, b #" i "\""), (i * 7919 % 60013) / 64,
+            i / 3 (i % 5 ? "" : " # a note, too") (i % 11 ? "" : "\r") (i % 13 ? "" : "\n\n#")
+}' >mixed.csv
+accepts 'a long file, one thread' mixed.csv --columns 2,3 -t 1 -o first.tsv
+says 'all its points' 60001 "$(wc -l <first.tsv | tr -d ' ')"
+for threads in 2 3 8; do
+    accepts "a long file, $threads threads" mixed.csv --columns 2,3 -t $threads -o again.tsv
+    cmp -s first.tsv again.tsv && ok "the same from $threads threads" ||
+        not_ok "the same from $threads threads" 'the files differ'
+done
+cat mixed.csv | accepts 'a pipe' - --columns 2,3 -o again.tsv
+cmp -s first.tsv again.tsv && ok 'the same from a pipe' ||
+    not_ok 'the same from a pipe' 'the files differ'
+accepts 'standard input' - --columns 2,3 -o again.tsv <mixed.csv
+cmp -s first.tsv again.tsv && ok 'the same from standard input' ||
+    not_ok 'the same from standard input' 'the files differ'
+tail -n +2 first.tsv | cut -f 2,3 >coordinates.tsv
+accepts 'the answers to themselves' coordinates.tsv -o again.tsv
+cmp -s first.tsv again.tsv && ok 'are the same' ||
+    not_ok 'are the same' 'the files differ'
 
 accepts 'a summary' -n 100 -d lattice -t 2
 says 'has its points' 'points    100 lattice' "$(sed -n 1p "$out")"
