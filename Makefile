@@ -345,6 +345,11 @@ $(BUILD)/analyzed/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	$(Q)gcc $(CPPFLAGS) -std=c17 -O1 -march=$(MARCH) -ffp-contract=off \
 		-fanalyzer -Wno-analyzer-use-of-uninitialized-value -Werror -c $< -o $@
 
+#: bytes that the readers of points do not expect, for FOR=600 seconds
+FOR ?= 600
+fuzz: | $(BUILD)/setup/check
+	tests/check-fuzz $(BUILD)/fuzz $(FOR)
+
 #: corpus and command line on an emulated arm64 processor
 check-arm64: | $(BUILD)/setup/arm64
 	tests/check-arm64 $(BUILD)/arm64
@@ -373,4 +378,4 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
 .PHONY: all programs test test-all check-book figures drawings readme chapterN measure measureN evidence
-.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory analyze check-arm64 format clean help
+.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory analyze fuzz check-arm64 format clean help
