@@ -50,18 +50,11 @@ local twins = {
   ["code/ch09-row-spans/avx2_spans.c"] = true,
 }
 
--- Whether the book shows every line of this file: not what reads and
--- reports, nor what only uses the modules.
-local reads_and_reports = {
-  read_points = true, read_npy = true, collect = true, point_line = true,
-  lines = true, fields = true, numbers = true, charconv = true,
-  stream = true, report = true, experiment = true,
-}
-
+-- Whether the book shows every line of this file: the modules of the
+-- chapters, but neither the workbench nor what only uses the modules.
 local function is_taught(path)
-  return not (path:match("/experiments/") or path:match("^code/near/")
-    or path:match("^code/peers/")
-    or reads_and_reports[path:match("^code/common/([%w_]+)%.")])
+  return path:match("^code/ch%d%d") ~= nil
+    and not path:match("/experiments/") and not twins[path]
 end
 
 local function read_file(path, found)
