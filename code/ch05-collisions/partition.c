@@ -4,7 +4,6 @@
 // read in streams, and written in as many streams as there are buckets
 // or into a cache. Two passes over the points, two over the records.
 #include "ch05-collisions/partition.h"
-#include "ch04-cell-sort/batches.h"
 #include "ch05-collisions/shared.h"
 #include "common/chunk.h"
 #include "common/min_max.h"
@@ -245,20 +244,4 @@ struct partition partition_make(const struct question *question,
     note_built(question);
     return result;
 }
-
-//> Search the cells with threads
-static void partition_and_search(const struct question *question,
-                                 struct answers *answers)
-{
-    struct partition partition = partition_make(
-        question, POINTS_PER_CELL, NO_RESTORE, question->workspace);
-    search_batches(question, &partition.sorted, answers);
-}
-
-void cells_threads(const struct question *question,
-                   struct answers *answers)
-{
-    search_in_workspace(question, partition_and_search, answers);
-}
-//<
 //<

@@ -41,8 +41,4 @@ struct partition partition_points(const struct grid *grid,
 struct partition partition_make(const struct question *question,
                                 double c, enum restore restore,
                                 struct workspace *workspace);
-
-// A row of the table: all nearest neighbors, by chapter 4's batches of
-// four, every step by all threads.
-search_function cells_threads;
 //<

@@ -5,7 +5,6 @@
 #include "ch09-row-spans/batch_search.h"
 #include "ch09-row-spans/staging.h"
 #include <assert.h>
-#include <stddef.h>
 
 //> Take the results of a batch
 INLINED void take_results(const uint32_t width, const uint32_t *point,

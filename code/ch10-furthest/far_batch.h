@@ -6,11 +6,21 @@
 #include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
 #include "ch04-cell-sort/sorted.h"
+#include "common/workspace.h"
+
+//> List the rows that have points
+struct rows {
+    uint32_t count, *row; // from below
+    uint32_t *place;      // of a row in this list, if it is there
+};
+
+// Their arrays are taken from the workspace.
+struct rows rows_find(const struct sorted *sorted,
+                      struct workspace *workspace);
+//<
 
 //> Hold a batch of far queries
 enum { FAR_BATCH = 8 };
-
-struct rows;
 
 struct far_scene {
     const struct sorted *sorted;

@@ -4,18 +4,6 @@
 // with the borders of a cell bounds what is with a point in it.
 #pragma once
 #include "ch10-furthest/far_batch.h"
-#include "common/workspace.h"
-
-//> List the rows that have points
-struct rows {
-    uint32_t count, *row; // from below
-    uint32_t *place;      // of a row in this list, if it is there
-};
-
-// Their arrays are taken from the workspace.
-struct rows rows_find(const struct sorted *sorted,
-                      struct workspace *workspace);
-//<
 
 //> Bound the separation from a cell
 // Between x and whatever lies in cell k of the axis. With wraparound a
