@@ -1,6 +1,6 @@
 // What `near --check` rests on: a wrong answer must not pass.
-#include "harness.h"
 #include "near/check.h"
+#include "harness.h"
 #include "status.h"
 #include <stddef.h>
 
@@ -15,8 +15,7 @@ static struct verdicts judge(void (*spoil)(struct answers *))
     double nearest2[n] = {1, 1, 4, 9, 16};
     double furthest2[n] = {100, 81, 49, 36, 100};
     struct question question = {{n, x, y}, {STANDARD, 1, 1}, 2};
-    struct answers answers = {nearest, furthest, nearest2, furthest2,
-                              0};
+    struct answers answers = {nearest, furthest, nearest2, furthest2};
     spoil(&answers);
     return check_answers(&question, &answers);
 }
@@ -106,8 +105,8 @@ static void duplicates_are_not_oneself(void)
     double x[2] = {1, 1}, y[2] = {2, 2}, zero[2] = {0, 0};
     uint32_t other[2] = {1, 0}, self[2] = {0, 1};
     struct question question = {{2, x, y}, {STANDARD, 1, 1}, 1};
-    struct answers right = {other, other, zero, zero, 0};
-    struct answers wrong = {self, self, zero, zero, 0};
+    struct answers right = {other, other, zero, zero};
+    struct answers wrong = {self, self, zero, zero};
     CHECK_INT(0, check_answers(&question, &right).nearest.wrong,
               "each other's");
     CHECK_INT(2, check_answers(&question, &wrong).nearest.wrong,
