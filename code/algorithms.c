@@ -18,6 +18,7 @@
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/furthest_hull.h"
 #include "ch10-furthest/near_and_far.h"
+#include "ch11-crowds/adaptive.h"
 #include "common/fail.h"
 #include <string.h>
 
@@ -63,6 +64,8 @@ const struct algorithm algorithms[] = {
      "corners of the hull", furthest_hull},
     {"near-and-far", 10, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n",
      "spans, and few corners", near_and_far},
+    {"adaptive", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n log n",
+     "pieces with a grid each", adaptive},
 };
 //<
 

@@ -1,0 +1,257 @@
+//> Make and search the tree of arcs
+// With v = c - o and g = o - q, a corner c is at the squared distance
+// |g|^2 + |v|^2 + 2 g v from the query q. The first term is known, the
+// second is the same for all corners if o is the center of the arc's
+// circle, and the third is at most what the arc's own box, turned to
+// lie along it, allows. That box is as thin as the arc is flat.
+#include "ch11-crowds/arcs.h"
+#include "common/min_max.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+//> Put the corners in a round
+// By an angle that needs no arc tangent: from -2 to 2.
+struct bearing {
+    double angle;
+    uint32_t corner;
+};
+
+static double bearing_of(double dx, double dy)
+{
+    const double sum = fabs(dx) + fabs(dy);
+    return sum > 0 ? copysign(1 - dx / sum, dy) : 0;
+}
+
+static int by_angle(const void *one, const void *other)
+{
+    const struct bearing *a = one, *b = other;
+    if (a->angle != b->angle)
+        return a->angle < b->angle ? -1 : 1;
+    return (a->corner > b->corner) - (a->corner < b->corner);
+}
+
+static struct box box_around(struct points p)
+{
+    struct box box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (uint32_t k = 0; k < p.n; k++) {
+        box.left = fmin(box.left, p.x[k]);
+        box.right = fmax(box.right, p.x[k]);
+        box.bottom = fmin(box.bottom, p.y[k]);
+        box.top = fmax(box.top, p.y[k]);
+    }
+    return box;
+}
+
+static void go_round(const struct corners *corners,
+                     const struct box *box, struct arcs *arcs,
+                     struct workspace *workspace)
+{
+    const struct points p = corners->points;
+    const double x = box->left / 2 + box->right / 2;
+    const double y = box->bottom / 2 + box->top / 2;
+    struct mark mark = workspace_mark(workspace);
+    struct bearing *bearing =
+        workspace_take(workspace, p.n, sizeof *bearing);
+    for (uint32_t k = 0; k < p.n; k++)
+        bearing[k] =
+            (struct bearing){bearing_of(p.x[k] - x, p.y[k] - y), k};
+    qsort(bearing, p.n, sizeof *bearing, by_angle);
+    for (uint32_t k = 0; k < p.n; k++) {
+        const uint32_t corner = bearing[k].corner;
+        arcs->points.x[k] = p.x[corner];
+        arcs->points.y[k] = p.y[corner];
+        arcs->point[k] = corners->point[corner];
+    }
+    workspace_release(workspace, mark);
+}
+//<
+
+//> Find the center of an arc
+// Of the circle through its first, middle and last corner, seen from
+// the middle one; no further away than a few diameters of everything,
+// so that rounding stays small.
+static void center_of(struct points p, double diameter, double *x,
+                      double *y)
+{
+    const uint32_t m = p.n / 2, last = p.n - 1;
+    const double ax = p.x[0] - p.x[m], ay = p.y[0] - p.y[m];
+    const double bx = p.x[last] - p.x[m], by = p.y[last] - p.y[m];
+    const double a2 = distance2(ax, ay), b2 = distance2(bx, by);
+    const double twice = 2 * (ax * by - ay * bx);
+    double u = (by * a2 - ay * b2) / twice;
+    double v = (ax * b2 - bx * a2) / twice;
+    const double length = sqrt(distance2(u, v));
+    const double most = 4 * diameter;
+    if (!isfinite(length) || !(length > 0))
+        u = v = 0;
+    else if (length > most)
+        u *= most / length, v *= most / length;
+    *x = p.x[m] + u;
+    *y = p.y[m] + v;
+}
+//<
+
+//> Describe an arc
+static void direct(struct points p, struct arc *arc)
+{
+    const double dx = p.x[p.n - 1] - p.x[0];
+    const double dy = p.y[p.n - 1] - p.y[0];
+    const double length = sqrt(distance2(dx, dy));
+    arc->tx = length > 0 ? dx / length : 1;
+    arc->ty = length > 0 ? dy / length : 0;
+}
+
+static struct arc describe(struct points p, const uint32_t *point,
+                           double diameter)
+{
+    struct arc arc = {.box = box_around(p),
+                      .along = {INFINITY, -INFINITY},
+                      .beside = {INFINITY, -INFINITY},
+                      .lowest = NO_INDEX};
+    center_of(p, diameter, &arc.ox, &arc.oy);
+    direct(p, &arc);
+    for (uint32_t k = 0; k < p.n; k++) {
+        const double vx = p.x[k] - arc.ox, vy = p.y[k] - arc.oy;
+        const double along = vx * arc.tx + vy * arc.ty;
+        const double beside = vy * arc.tx - vx * arc.ty;
+        arc.along[0] = MIN(along, arc.along[0]);
+        arc.along[1] = MAX(along, arc.along[1]);
+        arc.beside[0] = MIN(beside, arc.beside[0]);
+        arc.beside[1] = MAX(beside, arc.beside[1]);
+        arc.max2 = MAX(distance2(vx, vy), arc.max2);
+        arc.lowest = MIN(point[k], arc.lowest);
+    }
+    const double most = sqrt(arc.max2) + diameter;
+    arc.margin = most * most * 0x1p-45;
+    return arc;
+}
+//<
+
+//> Make the tree of arcs
+// The corners of arc k, which is in this level of the tree.
+static struct points corners_of(const struct arcs *arcs, uint32_t k,
+                                uint32_t *begin)
+{
+    uint32_t width = PER_ARC * arcs->leaves, first = 0;
+    while (k - first >= first + 1)
+        first = 2 * first + 1, width /= 2;
+    const uint64_t from = (uint64_t)(k - first) * width;
+    const uint32_t n = arcs->points.n;
+    *begin = MIN(from, n);
+    return (struct points){MIN(n - *begin, width),
+                           arcs->points.x + *begin,
+                           arcs->points.y + *begin};
+}
+
+struct arcs arcs_make(const struct corners *corners,
+                      struct workspace *workspace)
+{
+    const uint32_t n = corners->points.n;
+    struct arcs arcs = {
+        {n, workspace_take(workspace, n, sizeof(double)),
+         workspace_take(workspace, n, sizeof(double))},
+        workspace_take(workspace, n, sizeof(uint32_t)),
+        NULL,
+        1};
+    while ((uint64_t)arcs.leaves * PER_ARC < n)
+        arcs.leaves *= 2;
+    arcs.arc = workspace_take(workspace, 2 * (size_t)arcs.leaves - 1,
+                              sizeof *arcs.arc);
+    const struct box box = box_around(corners->points);
+    const double diameter = sqrt(
+        distance2(box.right - box.left, box.top - box.bottom));
+    go_round(corners, &box, &arcs, workspace);
+    for (uint32_t k = 0; k < 2 * arcs.leaves - 1; k++) {
+        uint32_t begin;
+        const struct points p = corners_of(&arcs, k, &begin);
+        if (p.n > 0)
+            arcs.arc[k] = describe(p, arcs.point + begin, diameter);
+        else
+            arcs.arc[k] = (struct arc){.max2 = -INFINITY};
+    }
+    return arcs;
+}
+//<
+
+//> Bound an arc
+// The less of two bounds: that of its box, and that of its bend.
+static double arc_bound(const struct arc *arc, double x, double y)
+{
+    const double gx = arc->ox - x, gy = arc->oy - y;
+    const double along = gx * arc->tx + gy * arc->ty;
+    const double beside = gy * arc->tx - gx * arc->ty;
+    const double bent2 =
+        distance2(gx, gy) + arc->max2 +
+        2 * (MAX(along * arc->along[0], along * arc->along[1]) +
+             MAX(beside * arc->beside[0], beside * arc->beside[1])) +
+        arc->margin;
+    const double box2 = distance2(
+        MAX(x - arc->box.left, arc->box.right - x),
+        MAX(y - arc->box.bottom, arc->box.top - y));
+    return MIN(bent2, box2);
+}
+//<
+
+//> Compare with the corners of an arc
+static void compare_corner(const struct arcs *arcs, uint32_t k,
+                           struct arc_query *query)
+{
+    const double far2 = distance2(arcs->points.x[k] - query->x,
+                                  arcs->points.y[k] - query->y);
+    if (far2 > query->max2 ||
+        (far2 == query->max2 && arcs->point[k] < query->furthest)) {
+        query->max2 = far2;
+        query->furthest = arcs->point[k];
+        query->corner = k;
+    }
+    query->compared++;
+}
+//<
+
+//> Search the tree of arcs
+static bool may_be_further(const struct arc *arc, double bound,
+                           const struct arc_query *query)
+{
+    return bound > query->max2 || (bound == query->max2 &&
+                                   arc->lowest < query->furthest);
+}
+
+void arcs_furthest(const struct arcs *arcs, struct arc_query *query)
+{
+    enum { DEEPEST = 64 };
+    struct {
+        double bound;
+        uint32_t arc;
+    } stack[DEEPEST];
+    int height = 1;
+    stack[0].arc = 0;
+    stack[0].bound = INFINITY;
+    query->max2 = -1;
+    query->furthest = NO_INDEX;
+    compare_corner(arcs, query->corner, query);
+    while (height > 0) {
+        const uint32_t k = stack[--height].arc;
+        if (!may_be_further(&arcs->arc[k], stack[height].bound, query))
+            continue;
+        if (k >= arcs->leaves - 1) {
+            uint32_t from = (k - (arcs->leaves - 1)) * PER_ARC;
+            uint32_t left = arcs->points.n - from;
+            for (uint32_t i = 0; i < MIN(PER_ARC, left); i++)
+                compare_corner(arcs, from + i, query);
+            continue;
+        }
+        //> Put both halves on the stack, the further one last
+        const uint32_t a = 2 * k + 1, b = 2 * k + 2;
+        const double a2 = arc_bound(&arcs->arc[a], query->x, query->y);
+        const double b2 = arc_bound(&arcs->arc[b], query->x, query->y);
+        const bool swap = a2 > b2;
+        stack[height].bound = swap ? b2 : a2;
+        stack[height++].arc = swap ? b : a;
+        stack[height].bound = swap ? a2 : b2;
+        stack[height++].arc = swap ? a : b;
+        //<
+    }
+}
+//<
+//<

@@ -1,0 +1,244 @@
+//> Search by halves
+// A place that asks for its nearest compares itself, over the border,
+// with those places of the other half that its circle reaches as far
+// as y and the border can tell. The circles of a half, each with no
+// other place inside, cover no point of the border more than a few
+// times: so a join of n places takes a few n steps.
+#include "ch11-crowds/divide.h"
+#include "common/min_max.h"
+#include <stdbool.h>
+#include <stdlib.h>
+
+//> Hold a place
+// Where one point is or several: the lowest index and the next.
+struct place {
+    double x, y, best2;
+    uint32_t lowest, second, nearest;
+    bool asks;
+};
+
+struct halving {
+    struct space space;
+    struct place *place; // from left to right
+    uint32_t *up, *room; // numbers of places, each half from below
+    struct counts *counts;
+};
+
+// Some of them.
+struct some {
+    uint32_t begin, end;
+};
+//<
+
+//> Compare two places
+static void ask(const struct halving *halving, struct place *p,
+                const struct place *q)
+{
+    const double near2 =
+        closest2(halving->space, q->x - p->x, q->y - p->y);
+    if (near2 < p->best2 ||
+        (near2 == p->best2 && q->lowest < p->nearest)) {
+        p->best2 = near2;
+        p->nearest = q->lowest;
+    }
+}
+//<
+
+//> Walk up, and down
+// From place k of the other half on, as long as something there may be
+// as near, if it is right at the border. With wraparound the walk goes
+// on over the seam, once round at most. Says how many it has compared.
+static uint32_t walk(const struct halving *halving, struct place *p,
+                     struct some other, int64_t k, int step,
+                     double across)
+{
+    const bool wraps = halving->space.geometry == WRAPAROUND;
+    uint32_t steps = 0;
+    for (; steps < other.end - other.begin; steps++, k += step) {
+        const bool over = k < other.begin || k >= other.end;
+        if (over && !wraps)
+            break;
+        if (over)
+            k = step > 0 ? other.begin : (int64_t)other.end - 1;
+        const struct place *q = &halving->place[halving->up[k]];
+        double apart = step * (q->y - p->y);
+        if (apart < 0)
+            apart += halving->space.height;
+        if (distance2(across, apart) > p->best2)
+            break;
+        if (q != p)
+            ask(halving, p, q);
+    }
+    return steps;
+}
+//<
+
+//> Ask over the border
+// All places of one half those of the other. Nothing there is nearer,
+// across, than the border is.
+static uint64_t ask_over(const struct halving *halving,
+                         struct some these, struct some other,
+                         double border)
+{
+    uint64_t distances = 0;
+    uint32_t k = other.begin;
+    for (uint32_t i = these.begin; i < these.end; i++) {
+        struct place *p = &halving->place[halving->up[i]];
+        while (k < other.end &&
+               halving->place[halving->up[k]].y < p->y)
+            k++;
+        const double across = border - p->x;
+        if (p->asks && !(across * across > p->best2)) {
+            distances += walk(halving, p, other, k, 1, across);
+            distances +=
+                walk(halving, p, other, (int64_t)k - 1, -1, across);
+        }
+    }
+    return distances;
+}
+//<
+
+//> Merge both halves from below
+static void merge(const struct halving *halving, struct some half,
+                  struct some other)
+{
+    uint32_t *up = halving->up, *room = halving->room;
+    uint32_t i = half.begin, k = other.begin;
+    for (uint32_t to = half.begin; to < other.end; to++) {
+        const bool first =
+            k == other.end ||
+            (i < half.end && halving->place[up[i]].y <=
+                                 halving->place[up[k]].y);
+        room[to] = first ? up[i++] : up[k++];
+    }
+    for (uint32_t to = half.begin; to < other.end; to++)
+        up[to] = room[to];
+}
+//<
+
+//> Divide and join
+enum { WORTH_A_TASK = 1 << 13 };
+
+static void divide(const struct halving *halving, struct some some)
+{
+    const uint32_t middle =
+        some.begin + (some.end - some.begin) / 2;
+    const struct some half = {some.begin, middle};
+    const struct some other = {middle, some.end};
+    if (some.end - some.begin == 1) {
+        halving->up[some.begin] = some.begin;
+        return;
+    }
+#pragma omp task if (some.end - some.begin > WORTH_A_TASK)
+    divide(halving, half);
+    divide(halving, other);
+#pragma omp taskwait
+    struct counts counts = {0};
+    counts.distances =
+        ask_over(halving, half, other, halving->place[middle].x) +
+        ask_over(halving, other, half, halving->place[middle - 1].x);
+    counts_add(halving->counts, &counts);
+    merge(halving, half, other);
+}
+//<
+
+//> Ask over the seam
+// To the right of the rightmost place lies the leftmost again.
+static void ask_over_seam(const struct halving *halving, uint32_t n)
+{
+    const struct some all = {0, n};
+    const double left = halving->place[0].x;
+    const double right = halving->place[n - 1].x;
+    struct counts counts = {0};
+    for (uint32_t k = 0; k < n; k++) {
+        struct place *p = &halving->place[halving->up[k]];
+        const double across = halving->space.width -
+                              MAX(right - p->x, p->x - left);
+        if (p->asks && !(across * across > p->best2)) {
+            counts.distances += walk(halving, p, all, k, 1, across);
+            counts.distances +=
+                walk(halving, p, all, (int64_t)k - 1, -1, across);
+        }
+    }
+    counts_add(halving->counts, &counts);
+}
+//<
+
+//> Gather the places
+static int from_left(const void *one, const void *other)
+{
+    const struct place *a = one, *b = other;
+    if (a->x != b->x)
+        return a->x < b->x ? -1 : 1;
+    if (a->y != b->y)
+        return a->y < b->y ? -1 : 1;
+    return (a->lowest > b->lowest) - (a->lowest < b->lowest);
+}
+
+// Says where each point's place is, and how many there are.
+static uint32_t gather(struct place *place, struct points p,
+                       uint32_t *where)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < p.n; i++)
+        place[i] = (struct place){p.x[i], p.y[i],   INFINITY, i,
+                                  NO_INDEX, NO_INDEX, false};
+    qsort(place, p.n, sizeof *place, from_left);
+    for (uint32_t k = 0; k < p.n; k++) {
+        struct place *last = &place[count - 1];
+        const uint32_t i = place[k].lowest;
+        if (count > 0 && place[k].x == last->x &&
+            place[k].y == last->y) {
+            last->second = MIN(i, last->second);
+            last->best2 = 0;
+        } else {
+            place[count++] = place[k];
+        }
+        where[i] = count - 1;
+    }
+    return count;
+}
+//<
+
+//> Answer for a point
+// Its own place may have another, at distance 0.
+static void answer(const struct place *place, uint32_t i,
+                   struct answers *answers)
+{
+    const uint32_t beside =
+        place->lowest != i ? place->lowest : place->second;
+    answers->nearest[i] = place->nearest;
+    answers->nearest2[i] = place->best2;
+    if (beside != NO_INDEX)
+        answers->nearest[i] = MIN(beside, place->nearest);
+}
+//<
+
+void search_by_halves(const struct question *question,
+                      const uint32_t *asking, uint32_t count,
+                      struct workspace *workspace,
+                      struct answers *answers)
+{
+    const uint32_t n = question->points.n;
+    struct mark mark = workspace_mark(workspace);
+    uint32_t *where = workspace_take(workspace, n, sizeof *where);
+    struct halving halving = {
+        question->space,
+        workspace_take(workspace, n, sizeof(struct place)),
+        workspace_take(workspace, n, sizeof(uint32_t)),
+        workspace_take(workspace, n, sizeof(uint32_t)),
+        question->counts};
+    const uint32_t places =
+        gather(halving.place, question->points, where);
+    for (uint32_t k = 0; k < count; k++)
+        halving.place[where[asking[k]]].asks = true;
+#pragma omp parallel num_threads(question->threads)
+#pragma omp single
+    divide(&halving, (struct some){0, places});
+    if (question->space.geometry == WRAPAROUND)
+        ask_over_seam(&halving, places);
+    for (uint32_t k = 0; k < count; k++)
+        answer(&halving.place[where[asking[k]]], asking[k], answers);
+    workspace_release(workspace, mark);
+}
+//<

@@ -1,0 +1,135 @@
+//> Search for the furthest by pieces
+// Queries come in the order of the pieces: the furthest of one is
+// nearly that of the next.
+#include "ch11-crowds/far_search.h"
+#include "ch09-row-spans/restore_order.h"
+#include "ch10-furthest/candidate_search.h"
+#include "ch11-crowds/arcs.h"
+#include "ch11-crowds/piece_search.h"
+
+// Lists of corners are no longer than this, so that they may be
+// compared with a query one by one.
+enum { FEW_CORNERS = 128 };
+
+//> Hold a search for the furthest
+struct far_search {
+    const struct question *question;
+    const struct pieces *pieces;
+    const struct arcs *arcs; // NULL: all pieces are asked
+    struct neighbor *results;
+};
+//<
+
+//> Search a leaf by arcs
+static void search_by_arcs(const struct far_search *search,
+                           uint32_t begin, uint32_t end,
+                           struct counts *counts)
+{
+    const struct pieces *pieces = search->pieces;
+    struct arc_query query = {0};
+    for (uint32_t s = begin; s < end; s++) {
+        query.x = pieces->points.x[s];
+        query.y = pieces->points.y[s];
+        arcs_furthest(search->arcs, &query);
+        search->results[pieces->inverse[s]] =
+            (struct neighbor){query.max2, query.furthest};
+    }
+    counts->distances += query.compared;
+}
+//<
+
+//> Search a leaf by asking all pieces
+static void search_by_asking(const struct far_search *search,
+                             uint32_t begin, uint32_t end,
+                             struct counts *counts)
+{
+    const struct pieces *pieces = search->pieces;
+    for (uint32_t s = begin; s < end; s++)
+        search->results[pieces->inverse[s]] = furthest_of_all(
+            search->question, pieces, s, UINT64_MAX, counts);
+}
+//<
+
+//> Search all leaves
+static void search_leaves(const struct far_search *search)
+{
+    const struct pieces *pieces = search->pieces;
+    const struct question *question = search->question;
+#pragma omp parallel for num_threads(question->threads) \
+    schedule(dynamic)
+    for (uint32_t k = 0; k < pieces->leaves; k++) {
+        struct counts counts = {0};
+        for (uint32_t i = 0; i < pieces->count[k]; i++) {
+            const struct piece *piece =
+                &pieces->piece[pieces->first[k] + i];
+            const uint32_t begin = piece->begin;
+            const uint32_t end = begin + piece->sorted.points.n;
+            if (search->arcs)
+                search_by_arcs(search, begin, end, &counts);
+            else
+                search_by_asking(search, begin, end, &counts);
+        }
+        counts_add(question->counts, &counts);
+    }
+}
+
+static void search_and_restore(struct far_search search,
+                               struct workspace *workspace,
+                               struct answers *answers)
+{
+    const uint32_t n = search.question->points.n;
+    search.results =
+        workspace_take(workspace, n, sizeof *search.results);
+    search_leaves(&search);
+    restore_order(search.results, search.pieces->permutation, n,
+                  search.question->threads, answers->furthest,
+                  answers->furthest2);
+}
+//<
+
+//> Search for the furthest corner
+static void search_few(const struct question *question,
+                       const struct corners *corners,
+                       struct workspace *workspace,
+                       struct answers *answers)
+{
+    const struct candidate_grid grid =
+        candidate_grid_make(corners, question->points.n, workspace);
+    search_candidate_grid(question, corners, &grid, answers);
+}
+
+static void search_corners_of(const struct far_search *search,
+                              struct workspace *workspace,
+                              struct answers *answers)
+{
+    struct corners corners = corners_find(search->question);
+    if (corners.points.n <= FEW_CORNERS) {
+        search_few(search->question, &corners, workspace, answers);
+    } else {
+        const struct arcs arcs = arcs_make(&corners, workspace);
+        struct far_search by_arcs = *search;
+        by_arcs.arcs = &arcs;
+        search_and_restore(by_arcs, workspace, answers);
+    }
+    corners_free(&corners);
+}
+//<
+
+void search_furthest_pieces(const struct question *question,
+                            const struct pieces *pieces,
+                            struct workspace *workspace,
+                            struct answers *answers)
+{
+    const struct box *box = &pieces->node[0].box;
+    const double diagonal2 =
+        distance2(box->right - box->left, box->top - box->bottom);
+    const struct far_search search = {question, pieces, NULL, NULL};
+    struct mark mark = workspace_mark(workspace);
+    if (question->space.geometry == STANDARD && diagonal2 > LEAST_D2 &&
+        diagonal2 < MOST_D2)
+        search_corners_of(&search, workspace, answers);
+    else
+        search_and_restore(search, workspace, answers);
+    workspace_release(workspace, mark);
+}
+//<

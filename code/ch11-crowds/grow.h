@@ -1,0 +1,52 @@
+//> Declare how pieces grow
+// What all leaves of the tree of cuts have in common while they become
+// pieces, each by itself and by one thread.
+#pragma once
+#include "ch11-crowds/pieces.h"
+
+//> Hold what the pieces grow from
+struct growth {
+    struct pieces *pieces;
+    struct point_record *record; // the points, sent to the leaves
+    uint32_t *start;             // room for the cells of all pieces
+    double *border;              // and for their borders
+};
+//<
+
+// A leaf is cut again if its points share their cells with more than so
+// many on average, themselves included, and if it has more points than
+// is worth while to cut.
+static const double CROWDED = 8;
+enum { FEWEST_TO_CUT = 96, POINTS_PER_SLOT = 32 };
+
+// Room for the pieces of n points: no leaf becomes more than this.
+static inline uint32_t piece_slots(uint32_t n)
+{
+    return n / POINTS_PER_SLOT + 2;
+}
+
+// How many borders, and starts, a piece of n points may need.
+static inline size_t border_room(size_t n)
+{
+    return n - n / 4 + 24;
+}
+
+static inline size_t start_room(size_t n)
+{
+    return n - n / 4 + 4;
+}
+
+//> Hold a leaf
+// The records begin .. end - 1, the region around them, the first node
+// and the first piece that it may use.
+struct leaf {
+    uint32_t begin, end;
+    struct box region;
+    uint32_t node, piece;
+};
+//<
+
+// Turns a leaf into pieces and nodes, and says how many pieces.
+uint32_t grow_leaf(const struct growth *growth,
+                   const struct leaf *leaf);
+//<

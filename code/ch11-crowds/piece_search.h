@@ -1,0 +1,27 @@
+//> Declare the search by pieces
+// The nearest neighbors by chapter 9's batches, piece by piece. What a
+// batch cannot certify, because something nearer may be in another
+// piece, is asked of all pieces.
+#pragma once
+#include "ch09-row-spans/restore_order.h"
+#include "ch11-crowds/pieces.h"
+
+// How many steps a query may take before it gives up, for n points.
+uint64_t steps_allowed(uint32_t n);
+
+// All nearest neighbors of the question's points, by its threads, as
+// results in the order of the records; a query that has given up has
+// NO_INDEX. Says how many have.
+uint32_t search_pieces(const struct question *question,
+                       const struct pieces *pieces, uint64_t most,
+                       struct neighbor *results);
+
+// Asks all pieces for the neighbor of sorted point s, near or far.
+// Among more than so many steps it gives up, with NO_INDEX.
+struct neighbor nearest_of_all(const struct question *question,
+                               const struct pieces *pieces, uint32_t s,
+                               uint64_t most, struct counts *counts);
+struct neighbor furthest_of_all(const struct question *question,
+                                const struct pieces *pieces, uint32_t s,
+                                uint64_t most, struct counts *counts);
+//<
