@@ -19,6 +19,7 @@
 #include "ch10-furthest/furthest_hull.h"
 #include "ch10-furthest/near_and_far.h"
 #include "ch11-crowds/adaptive.h"
+#include "ch11-crowds/evenness.h"
 #include "common/fail.h"
 #include <string.h>
 
@@ -66,6 +67,8 @@ const struct algorithm algorithms[] = {
      "spans, and few corners", near_and_far},
     {"adaptive", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n log n",
      "pieces with a grid each", adaptive},
+    {"by-sample", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
+     "n log n", "one grid, or pieces", by_sample},
 };
 //<
 

@@ -18,20 +18,21 @@ static uint32_t ask_again(const struct question *question,
                           struct answers *answers)
 {
     const uint64_t each = most * question->points.n / count;
+    const struct scene all = scene_of(question, pieces);
     uint32_t left = 0;
 #pragma omp parallel for num_threads(question->threads) \
     schedule(dynamic)
     for (uint32_t k = 0; k < count; k++) {
         struct counts counts = {0};
-        const uint32_t s = asking[k], i = pieces->point[s];
+        const uint32_t s = asking[k], i = pieces->sorted.cells.point[s];
         const struct neighbor found =
-            nearest_of_all(question, pieces, s, each, &counts);
+            nearest_of_all(&all, pieces, s, each, &counts);
         answers->nearest[i] = found.index;
         answers->nearest2[i] = found.distance2;
         counts_add(question->counts, &counts);
     }
     for (uint32_t k = 0; k < count; k++) {
-        const uint32_t i = pieces->point[asking[k]];
+        const uint32_t i = pieces->sorted.cells.point[asking[k]];
         if (answers->nearest[i] == NO_INDEX)
             asking[left++] = i;
     }
@@ -45,8 +46,8 @@ static uint32_t list_given_up(const struct pieces *pieces,
                               uint32_t *asking)
 {
     uint32_t count = 0;
-    for (uint32_t s = 0; s < pieces->points.n; s++)
-        if (answers->nearest[pieces->point[s]] == NO_INDEX)
+    for (uint32_t s = 0; s < pieces->sorted.points.n; s++)
+        if (answers->nearest[pieces->sorted.cells.point[s]] == NO_INDEX)
             asking[count++] = s;
     return count;
 }

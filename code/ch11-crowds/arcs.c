@@ -5,13 +5,15 @@
 // circle, and the third is at most what the arc's own box, turned to
 // lie along it, allows. That box is as thin as the arc is flat.
 #include "ch11-crowds/arcs.h"
+#include "ch04-cell-sort/cells.h"
 #include "common/min_max.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 //> Put the corners in a round
-// By an angle that needs no arc tangent: from -2 to 2.
+// By an angle that needs no arc tangent.
 struct bearing {
     double angle;
     uint32_t corner;
@@ -20,7 +22,7 @@ struct bearing {
 static double bearing_of(double dx, double dy)
 {
     const double sum = fabs(dx) + fabs(dy);
-    return sum > 0 ? copysign(1 - dx / sum, dy) : 0;
+    return sum > 0 ? copysign(1 - dx / sum, dy) : 0; // -2 to 2
 }
 
 static int by_angle(const void *one, const void *other)
@@ -35,12 +37,31 @@ static struct box box_around(struct points p)
 {
     struct box box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (uint32_t k = 0; k < p.n; k++) {
-        box.left = fmin(box.left, p.x[k]);
-        box.right = fmax(box.right, p.x[k]);
-        box.bottom = fmin(box.bottom, p.y[k]);
-        box.top = fmax(box.top, p.y[k]);
+        box.left = MIN(p.x[k], box.left);
+        box.right = MAX(p.x[k], box.right);
+        box.bottom = MIN(p.y[k], box.bottom);
+        box.top = MAX(p.y[k], box.top);
     }
     return box;
+}
+
+// As many buckets as corners, mostly with one each; where they crowd, a
+// bucket is sorted.
+static void sort_by_angle(struct bearing *bearing, uint32_t n,
+                          struct bearing *sorted, uint32_t *end)
+{
+    const double scale = n / 4.0;
+    memset(end, 0, (n + 1) * sizeof *end);
+    for (uint32_t k = 0; k < n; k++)
+        end[(uint32_t)((bearing[k].angle + 2) * scale)]++;
+    cells_scan(end, n + 1, 0);
+    for (uint32_t k = 0; k < n; k++)
+        sorted[end[(uint32_t)((bearing[k].angle + 2) * scale)]++] =
+            bearing[k];
+    for (uint32_t b = 0, begin = 0; b <= n; begin = end[b++])
+        if (end[b] - begin > 1)
+            qsort(sorted + begin, end[b] - begin, sizeof *sorted,
+                  by_angle);
 }
 
 static void go_round(const struct corners *corners,
@@ -53,12 +74,16 @@ static void go_round(const struct corners *corners,
     struct mark mark = workspace_mark(workspace);
     struct bearing *bearing =
         workspace_take(workspace, p.n, sizeof *bearing);
+    struct bearing *sorted =
+        workspace_take(workspace, p.n, sizeof *sorted);
+    uint32_t *end = workspace_take(workspace, (size_t)p.n + 1,
+                                   sizeof *end);
     for (uint32_t k = 0; k < p.n; k++)
         bearing[k] =
             (struct bearing){bearing_of(p.x[k] - x, p.y[k] - y), k};
-    qsort(bearing, p.n, sizeof *bearing, by_angle);
+    sort_by_angle(bearing, p.n, sorted, end);
     for (uint32_t k = 0; k < p.n; k++) {
-        const uint32_t corner = bearing[k].corner;
+        const uint32_t corner = sorted[k].corner;
         arcs->points.x[k] = p.x[corner];
         arcs->points.y[k] = p.y[corner];
         arcs->point[k] = corners->point[corner];
@@ -209,49 +234,74 @@ static void compare_corner(const struct arcs *arcs, uint32_t k,
 }
 //<
 
-//> Search the tree of arcs
-static bool may_be_further(const struct arc *arc, double bound,
-                           const struct arc_query *query)
+static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
+                         struct arc_query *query)
 {
-    return bound > query->max2 || (bound == query->max2 &&
-                                   arc->lowest < query->furthest);
+    const uint32_t from = leaf * PER_ARC, n = arcs->points.n;
+    for (uint32_t k = from; k < n && k < from + PER_ARC; k++)
+        compare_corner(arcs, k, query);
+}
+//<
+
+//> Search an arc and those below it
+struct waiting_arc {
+    double bound;
+    uint32_t arc;
+};
+
+static inline struct waiting_arc wait_for(const struct arcs *arcs,
+                                          uint32_t k,
+                                          const struct arc_query *query)
+{
+    return (struct waiting_arc){
+        arc_bound(&arcs->arc[k], query->x, query->y), k};
 }
 
-void arcs_furthest(const struct arcs *arcs, struct arc_query *query)
+static inline bool may_be_further(const struct arcs *arcs,
+                                  struct waiting_arc arc,
+                                  const struct arc_query *query)
 {
-    enum { DEEPEST = 64 };
-    struct {
-        double bound;
-        uint32_t arc;
-    } stack[DEEPEST];
-    int height = 1;
-    stack[0].arc = 0;
-    stack[0].bound = INFINITY;
-    query->max2 = -1;
-    query->furthest = NO_INDEX;
-    compare_corner(arcs, query->corner, query);
+    return arc.bound > query->max2 ||
+           (arc.bound == query->max2 &&
+            arcs->arc[arc.arc].lowest < query->furthest);
+}
+
+static void search_arc(const struct arcs *arcs, uint32_t k,
+                       struct arc_query *query)
+{
+    enum { DEEPEST = 40 };
+    struct waiting_arc stack[DEEPEST];
+    int height = 0;
+    stack[height++] = wait_for(arcs, k, query);
     while (height > 0) {
-        const uint32_t k = stack[--height].arc;
-        if (!may_be_further(&arcs->arc[k], stack[height].bound, query))
+        const struct waiting_arc next = stack[--height];
+        if (!may_be_further(arcs, next, query))
             continue;
-        if (k >= arcs->leaves - 1) {
-            uint32_t from = (k - (arcs->leaves - 1)) * PER_ARC;
-            uint32_t left = arcs->points.n - from;
-            for (uint32_t i = 0; i < MIN(PER_ARC, left); i++)
-                compare_corner(arcs, from + i, query);
+        if (next.arc >= arcs->leaves - 1) {
+            compare_leaf(arcs, next.arc - (arcs->leaves - 1), query);
             continue;
         }
-        //> Put both halves on the stack, the further one last
-        const uint32_t a = 2 * k + 1, b = 2 * k + 2;
-        const double a2 = arc_bound(&arcs->arc[a], query->x, query->y);
-        const double b2 = arc_bound(&arcs->arc[b], query->x, query->y);
-        const bool swap = a2 > b2;
-        stack[height].bound = swap ? b2 : a2;
-        stack[height++].arc = swap ? b : a;
-        stack[height].bound = swap ? a2 : b2;
-        stack[height++].arc = swap ? a : b;
-        //<
+        const struct waiting_arc a =
+            wait_for(arcs, 2 * next.arc + 1, query);
+        const struct waiting_arc b =
+            wait_for(arcs, 2 * next.arc + 2, query);
+        stack[height++] = a.bound > b.bound ? b : a;
+        stack[height++] = a.bound > b.bound ? a : b;
     }
+}
+//<
+
+//> Climb from arc to arc
+// Each time, the other half of the arc above is searched, until all of
+// the round has been looked at.
+void arcs_furthest(const struct arcs *arcs, struct arc_query *query)
+{
+    const uint32_t leaf = query->corner / PER_ARC;
+    query->max2 = -1;
+    query->furthest = NO_INDEX;
+    compare_leaf(arcs, leaf, query);
+    for (uint32_t k = leaf + arcs->leaves - 1; k > 0; k = (k - 1) / 2)
+        search_arc(arcs, k % 2 ? k + 1 : k - 1, query);
 }
 //<
 //<

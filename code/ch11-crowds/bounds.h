@@ -34,11 +34,13 @@ INLINED double most_separation(const enum geometry geometry,
 
 //> Bound what a box can give
 // A squared distance, negative if the furthest is looked for: then the
-// less, the better, either way.
+// less, the better, either way. Nothing is expected of an empty box.
 INLINED double box_bound(const enum geometry geometry,
                          const bool furthest, struct space space,
                          const struct box *box, double x, double y)
 {
+    if (box->left > box->right)
+        return INFINITY;
     if (furthest)
         return -distance2(
             most_separation(geometry, space.width, box->left,

@@ -28,8 +28,8 @@ static void search_by_arcs(const struct far_search *search,
     const struct pieces *pieces = search->pieces;
     struct arc_query query = {0};
     for (uint32_t s = begin; s < end; s++) {
-        query.x = pieces->points.x[s];
-        query.y = pieces->points.y[s];
+        query.x = pieces->sorted.points.x[s];
+        query.y = pieces->sorted.points.y[s];
         arcs_furthest(search->arcs, &query);
         search->results[pieces->inverse[s]] =
             (struct neighbor){query.max2, query.furthest};
@@ -44,9 +44,10 @@ static void search_by_asking(const struct far_search *search,
                              struct counts *counts)
 {
     const struct pieces *pieces = search->pieces;
+    const struct scene all = scene_of(search->question, pieces);
     for (uint32_t s = begin; s < end; s++)
-        search->results[pieces->inverse[s]] = furthest_of_all(
-            search->question, pieces, s, UINT64_MAX, counts);
+        search->results[pieces->inverse[s]] =
+            furthest_of_all(&all, pieces, s, counts);
 }
 //<
 

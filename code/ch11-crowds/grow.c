@@ -53,7 +53,7 @@ static double count_cells(const struct growing *growing,
                           const struct part *part, struct piece *piece)
 {
     struct point_record *record = growing->growth->record;
-    const uint32_t *list = growing->growth->pieces->point;
+    const uint32_t *list = growing->growth->pieces->sorted.cells.point;
     const struct grid *grid = &piece->sorted.grid;
     uint32_t *next = piece->sorted.cells.start + 1;
     const uint32_t m = grid_cells(grid);
@@ -79,9 +79,9 @@ static void unpack(const struct growing *growing,
     const struct point_record *record = growing->growth->record;
     for (uint32_t s = part->begin; s < part->end; s++) {
         const struct point_record *r = &record[pieces->inverse[s]];
-        pieces->points.x[s] = r->x;
-        pieces->points.y[s] = r->y;
-        pieces->point[s] = r->point;
+        pieces->sorted.points.x[s] = r->x;
+        pieces->sorted.points.y[s] = r->y;
+        pieces->sorted.cells.point[s] = r->point;
     }
 }
 
@@ -94,7 +94,7 @@ static void sort_piece(const struct growing *growing,
     start[0] = 0;
     cells_scan(start + 1, grid_cells(&piece->sorted.grid), 0);
     for (uint32_t k = part->begin; k < part->end; k++) {
-        const uint32_t number = pieces->point[k];
+        const uint32_t number = pieces->sorted.cells.point[k];
         pieces->inverse[part->begin + start[record[number].cell + 1]++] =
             number;
     }
@@ -112,12 +112,12 @@ static struct piece *begin_piece(const struct growing *growing,
     const uint32_t begin = part->begin;
     *piece = (struct piece){
         .sorted = {.points = {part->end - begin,
-                              pieces->points.x + begin,
-                              pieces->points.y + begin},
+                              pieces->sorted.points.x + begin,
+                              pieces->sorted.points.y + begin},
                    .cells = {growing->growth->start +
                                  start_room(begin) +
                                  4 * (size_t)number,
-                             pieces->point + begin}},
+                             pieces->sorted.cells.point + begin}},
         .region = part->region,
         .begin = begin};
     return piece;
@@ -130,12 +130,12 @@ static void end_place(const struct growing *growing,
 {
     const struct pieces *pieces = growing->growth->pieces;
     piece->is_place = true;
-    memcpy(pieces->inverse + part->begin, pieces->point + part->begin,
-           (part->end - part->begin) * sizeof *pieces->point);
+    memcpy(pieces->inverse + part->begin, pieces->sorted.cells.point + part->begin,
+           (part->end - part->begin) * sizeof(uint32_t));
     unpack(growing, part);
     piece->lowest = piece->second = NO_INDEX;
     for (uint32_t s = part->begin; s < part->end; s++) {
-        const uint32_t i = pieces->point[s];
+        const uint32_t i = pieces->sorted.cells.point[s];
         piece->second = MAX(MIN(i, piece->second), piece->lowest);
         piece->lowest = MIN(i, piece->lowest);
     }
@@ -154,10 +154,10 @@ static void grow_two(struct growing *growing, const struct part *part,
     struct cut cut;
     const uint32_t middle =
         part->begin + cut_list(growth->record,
-                               growth->pieces->point + part->begin,
+                               growth->pieces->sorted.cells.point + part->begin,
                                part->end - part->begin, &node->box,
                                (struct cut_room){
-                                   growth->pieces->points.x + part->begin,
+                                   growth->pieces->sorted.points.x + part->begin,
                                    growth->pieces->inverse + part->begin},
                                &cut);
     sides[0].end = sides[1].begin = middle;
@@ -178,7 +178,7 @@ static void grow_two(struct growing *growing, const struct part *part,
 static void survey(const struct growth *growth, const struct part *part,
                    struct node *node)
 {
-    const uint32_t *list = growth->pieces->point + part->begin;
+    const uint32_t *list = growth->pieces->sorted.cells.point + part->begin;
     const uint32_t n = part->end - part->begin;
     *node = (struct node){box_of(growth->record, list, n), NO_INDEX};
     for (uint32_t k = 0; k < n; k++)
@@ -243,7 +243,7 @@ uint32_t grow_leaf(const struct growth *growth, const struct leaf *leaf)
         .next_node = leaf->node + 1};
     const struct part all = {leaf->begin, leaf->end, leaf->region, 0};
     for (uint32_t k = leaf->begin; k < leaf->end; k++)
-        growth->pieces->point[k] = k;
+        growth->pieces->sorted.cells.point[k] = k;
     grow(&growing, &all, &growth->pieces->node[leaf->node]);
     return growing.pieces;
 }

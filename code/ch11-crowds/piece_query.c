@@ -18,8 +18,8 @@ void compare_nearest(struct piece_query *query, uint32_t begin,
 void compare_furthest(struct piece_query *query, uint32_t begin,
                       uint32_t end)
 {
-    const struct points p = query->pieces->points;
-    const uint32_t *point = query->pieces->point;
+    const struct points p = query->pieces->sorted.points;
+    const uint32_t *point = query->pieces->sorted.cells.point;
     struct point_query *q = &query->query;
     for (uint32_t s = begin; s < end; s++) {
         const double far2 =

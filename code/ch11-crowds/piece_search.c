@@ -126,7 +126,7 @@ static void exact_nearest(const struct scene *scene,
         query.query.best2 = found->distance2;
     else
         compare_nearest(&query, beside_begin(s),
-                        beside_end(s, whole->pieces->points.n));
+                        beside_end(s, whole->pieces->sorted.points.n));
     *found = answer_of(&query, query_nearest(&query), counts);
     piece->given_up += found->index == NO_INDEX;
 }
@@ -151,7 +151,7 @@ static struct neighbor nearest_of_place(const struct whole *whole,
     } else {
         compare_nearest(
             &query, beside_begin(piece->begin + s),
-            beside_end(piece->begin + s, whole->pieces->points.n));
+            beside_end(piece->begin + s, whole->pieces->sorted.points.n));
     }
     return answer_of(&query, query_nearest(&query), counts);
 }
@@ -215,19 +215,19 @@ uint64_t steps_allowed(uint32_t n)
     return 512 + 64 * (uint64_t)log2(n);
 }
 
-static struct sorted all_sorted(const struct pieces *pieces)
+struct scene scene_of(const struct question *question,
+                      const struct pieces *pieces)
 {
-    return (struct sorted){.cells = {NULL, pieces->point},
-                           .points = pieces->points};
+    return (struct scene){question->space, &pieces->sorted,
+                          span_kernels()};
 }
 
 uint32_t search_pieces(const struct question *question,
                        const struct pieces *pieces, uint64_t most,
                        struct neighbor *results)
 {
-    const struct sorted sorted = all_sorted(pieces);
     const struct whole whole = {
-        {question->space, &sorted, span_kernels()},
+        scene_of(question, pieces),
         pieces,
         pieces->node[0].box,
         most};
@@ -248,27 +248,23 @@ uint32_t search_pieces(const struct question *question,
 //<
 
 //> Ask for one point
-struct neighbor nearest_of_all(const struct question *question,
+struct neighbor nearest_of_all(const struct scene *all,
                                const struct pieces *pieces, uint32_t s,
                                uint64_t most, struct counts *counts)
 {
-    const struct sorted sorted = all_sorted(pieces);
-    const struct scene all = {question->space, &sorted, span_kernels()};
-    struct piece_query query = query_for(&all, pieces, s, most);
+    struct piece_query query = query_for(all, pieces, s, most);
     compare_nearest(&query, beside_begin(s),
-                    beside_end(s, pieces->points.n));
+                    beside_end(s, pieces->sorted.points.n));
     return answer_of(&query, query_nearest(&query), counts);
 }
 
-struct neighbor furthest_of_all(const struct question *question,
+struct neighbor furthest_of_all(const struct scene *all,
                                 const struct pieces *pieces, uint32_t s,
-                                uint64_t most, struct counts *counts)
+                                struct counts *counts)
 {
-    const struct sorted sorted = all_sorted(pieces);
-    const struct scene all = {question->space, &sorted, span_kernels()};
-    struct piece_query query = query_for(&all, pieces, s, most);
+    struct piece_query query = query_for(all, pieces, s, UINT64_MAX);
     compare_furthest(&query, beside_begin(s),
-                     beside_end(s, pieces->points.n));
+                     beside_end(s, pieces->sorted.points.n));
     struct neighbor found =
         answer_of(&query, query_furthest(&query), counts);
     found.distance2 = -found.distance2;

@@ -3,7 +3,7 @@
 // batch cannot certify, because something nearer may be in another
 // piece, is asked of all pieces.
 #pragma once
-#include "ch09-row-spans/restore_order.h"
+#include "ch09-row-spans/batch_search.h"
 #include "ch11-crowds/pieces.h"
 
 // How many steps a query may take before it gives up, for n points.
@@ -16,12 +16,16 @@ uint32_t search_pieces(const struct question *question,
                        const struct pieces *pieces, uint64_t most,
                        struct neighbor *results);
 
-// Asks all pieces for the neighbor of sorted point s, near or far.
-// Among more than so many steps it gives up, with NO_INDEX.
-struct neighbor nearest_of_all(const struct question *question,
+// All points as a scene, with the question's space.
+struct scene scene_of(const struct question *question,
+                      const struct pieces *pieces);
+
+// Asks all pieces for the neighbor of sorted point s. The nearest gives
+// up after so many steps, with NO_INDEX.
+struct neighbor nearest_of_all(const struct scene *all,
                                const struct pieces *pieces, uint32_t s,
                                uint64_t most, struct counts *counts);
-struct neighbor furthest_of_all(const struct question *question,
+struct neighbor furthest_of_all(const struct scene *all,
                                 const struct pieces *pieces, uint32_t s,
-                                uint64_t most, struct counts *counts);
+                                struct counts *counts);
 //<

@@ -132,9 +132,9 @@ static struct pieces take_pieces(uint32_t n, uint32_t leaves,
     const size_t index = sizeof(uint32_t), number = sizeof(double);
     const size_t slots = piece_slots(n) + 2 * (size_t)leaves;
     return (struct pieces){
-        .points = {n, workspace_take(workspace, n, number),
-                   workspace_take(workspace, n, number)},
-        .point = workspace_take(workspace, n, index),
+        .sorted.points = {n, workspace_take(workspace, n, number),
+                          workspace_take(workspace, n, number)},
+        .sorted.cells.point = workspace_take(workspace, n, index),
         .permutation = workspace_take(workspace, n, index),
         .inverse = workspace_take(workspace, n, index),
         .node = workspace_take(workspace, leaves + 2 * slots,

@@ -36,8 +36,7 @@ struct node {
 // The leaf k of the tree of cuts has become the pieces first[k] .. +
 // count[k] - 1, in the order of the sorted points.
 struct pieces {
-    struct points points; // sorted by piece, and there by cell
-    uint32_t *point;      // their indices
+    struct sorted sorted; // all, by piece, and there by cell; no grid
     uint32_t *permutation, *inverse; // as in chapter 5's partition
     struct node *node;               // node[0] is the root
     struct piece *piece;

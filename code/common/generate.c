@@ -3,6 +3,7 @@
 // made by sums, products, quotients and roots only, so that they are
 // the same to the last bit on every machine.
 #include "common/generate.h"
+#include "common/generate_crowds.h"
 #include "common/random.h"
 #include <math.h>
 #include <string.h>
@@ -129,6 +130,18 @@ const struct distribution distributions[] = {
     {"two-clusters", "two small clusters, far apart", two_clusters},
     {"equal", "all in the same place", equal},
     {"collinear", "on one slanted line", collinear},
+    {"log-normal", "both coordinates exp of 2 normals", log_normal},
+    {"pareto", "both coordinates 1 / uniform", pareto},
+    {"log-radius", "a disc, log of the radius even", log_radius},
+    {"spiral", "on a logarithmic spiral, 20 turns", spiral},
+    {"core-and-circle", "half in a dense core, half around it",
+     core_and_circle},
+    {"towns", "a hundred dense towns on an empty plain", towns},
+    {"half-equal", "every other one in the same place", half_equal},
+    {"outlier", "uniform, but the last is at 1e9", outlier},
+    {"thin", "uniform, but x is 1e-12 wide", thin},
+    {"geometric", "2^-k on both axes, k to 1074, and again", geometric},
+    {"doubled", "a lattice, each place twice", doubled},
 };
 const int distribution_count =
     sizeof distributions / sizeof *distributions;

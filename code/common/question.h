@@ -14,6 +14,7 @@ struct question {
     struct counts *counts; // what is done is added; NULL: not wanted
     struct workspace *workspace; // the caller's; NULL: a temporary one
     int64_t *built_ns; // when what is searched was built; or NULL
+    const char **by;   // the row it was left to, if any; or NULL
 };
 
 // Notes the time: what is searched has been built.

@@ -37,6 +37,7 @@ struct plan {
     int count;
     unsigned answers;     // that they give together
     struct summary ns[2]; // how long each took
+    const char *by[2];    // what it was called
 };
 
 static void plan_for(struct plan *plan,
@@ -94,7 +95,7 @@ static struct summary answer(const struct algorithm *algorithm,
         if (options->timing)
             printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64
                    "\n",
-                   algorithm->name, question->points.n,
+                   *question->by, question->points.n,
                    question->threads, build, times[trial] - build,
                    times[trial], counts.distances);
     }
@@ -139,7 +140,7 @@ static void print_times(const struct plan *plan, int threads)
 {
     for (int k = 0; k < plan->count; k++)
         printf("time      %.3g s, %s, at most %d thread%s\n",
-               1e-9 * plan->ns[k].median, plan->algorithms[k]->name,
+               1e-9 * plan->ns[k].median, plan->by[k],
                threads, threads > 1 ? "s" : "");
 }
 
@@ -157,9 +158,12 @@ static int near(const struct options *options)
     if (options->timing)
         puts("algorithm\tn\tthreads\tbuild_ns\tquery_ns\ttotal_ns\t"
              "distances");
-    for (int k = 0; k < plan.count; k++)
+    for (int k = 0; k < plan.count; k++) {
+        plan.by[k] = plan.algorithms[k]->name;
+        question.by = &plan.by[k];
         plan.ns[k] =
             answer(plan.algorithms[k], options, &question, &answers);
+    }
     warn_of_range(&question, &answers);
 
     bool right = !options->check || check(options, &question, &answers);
