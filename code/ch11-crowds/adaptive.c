@@ -3,6 +3,7 @@
 // all queries together were allowed; if some give up again, they are
 // left to the search by halves. So the steps are n log n at worst.
 #include "ch11-crowds/adaptive.h"
+#include "ch11-crowds/ask_pieces.h"
 #include "ch11-crowds/divide.h"
 #include "ch11-crowds/far_search.h"
 #include "ch11-crowds/piece_search.h"

@@ -1,9 +1,7 @@
-//> Make and search the tree of arcs
-// With v = c - o and g = o - q, a corner c is at the squared distance
-// |g|^2 + |v|^2 + 2 g v from the query q. The first term is known, the
-// second is the same for all corners if o is the center of the arc's
-// circle, and the third is at most what the arc's own box, turned to
-// lie along it, allows. That box is as thin as the arc is flat.
+//> Make the tree of arcs
+// Sort the corners by angle, in buckets; then describe every arc: where
+// the center of its circle is, and what box it fits in, seen from there
+// and turned to lie along it. h log h steps for h corners.
 #include "ch11-crowds/arcs.h"
 #include "ch04-cell-sort/cells.h"
 #include "common/min_max.h"
@@ -76,8 +74,8 @@ static void go_round(const struct corners *corners,
         workspace_take(workspace, p.n, sizeof *bearing);
     struct bearing *sorted =
         workspace_take(workspace, p.n, sizeof *sorted);
-    uint32_t *end = workspace_take(workspace, (size_t)p.n + 1,
-                                   sizeof *end);
+    uint32_t *end =
+        workspace_take(workspace, (size_t)p.n + 1, sizeof *end);
     for (uint32_t k = 0; k < p.n; k++)
         bearing[k] =
             (struct bearing){bearing_of(p.x[k] - x, p.y[k] - y), k};
@@ -153,7 +151,7 @@ static struct arc describe(struct points p, const uint32_t *point,
 }
 //<
 
-//> Make the tree of arcs
+//> Make an arc for every stretch
 // The corners of arc k, which is in this level of the tree.
 static struct points corners_of(const struct arcs *arcs, uint32_t k,
                                 uint32_t *begin)
@@ -173,19 +171,19 @@ struct arcs arcs_make(const struct corners *corners,
                       struct workspace *workspace)
 {
     const uint32_t n = corners->points.n;
-    struct arcs arcs = {
-        {n, workspace_take(workspace, n, sizeof(double)),
-         workspace_take(workspace, n, sizeof(double))},
-        workspace_take(workspace, n, sizeof(uint32_t)),
-        NULL,
-        1};
+    struct arcs arcs = {{n,
+                         workspace_take(workspace, n, sizeof(double)),
+                         workspace_take(workspace, n, sizeof(double))},
+                        workspace_take(workspace, n, sizeof(uint32_t)),
+                        NULL,
+                        1};
     while ((uint64_t)arcs.leaves * PER_ARC < n)
         arcs.leaves *= 2;
     arcs.arc = workspace_take(workspace, 2 * (size_t)arcs.leaves - 1,
                               sizeof *arcs.arc);
     const struct box box = box_around(corners->points);
-    const double diameter = sqrt(
-        distance2(box.right - box.left, box.top - box.bottom));
+    const double diameter =
+        sqrt(distance2(box.right - box.left, box.top - box.bottom));
     go_round(corners, &box, &arcs, workspace);
     for (uint32_t k = 0; k < 2 * arcs.leaves - 1; k++) {
         uint32_t begin;
@@ -196,112 +194,6 @@ struct arcs arcs_make(const struct corners *corners,
             arcs.arc[k] = (struct arc){.max2 = -INFINITY};
     }
     return arcs;
-}
-//<
-
-//> Bound an arc
-// The less of two bounds: that of its box, and that of its bend.
-static double arc_bound(const struct arc *arc, double x, double y)
-{
-    const double gx = arc->ox - x, gy = arc->oy - y;
-    const double along = gx * arc->tx + gy * arc->ty;
-    const double beside = gy * arc->tx - gx * arc->ty;
-    const double bent2 =
-        distance2(gx, gy) + arc->max2 +
-        2 * (MAX(along * arc->along[0], along * arc->along[1]) +
-             MAX(beside * arc->beside[0], beside * arc->beside[1])) +
-        arc->margin;
-    const double box2 = distance2(
-        MAX(x - arc->box.left, arc->box.right - x),
-        MAX(y - arc->box.bottom, arc->box.top - y));
-    return MIN(bent2, box2);
-}
-//<
-
-//> Compare with the corners of an arc
-static void compare_corner(const struct arcs *arcs, uint32_t k,
-                           struct arc_query *query)
-{
-    const double far2 = distance2(arcs->points.x[k] - query->x,
-                                  arcs->points.y[k] - query->y);
-    if (far2 > query->max2 ||
-        (far2 == query->max2 && arcs->point[k] < query->furthest)) {
-        query->max2 = far2;
-        query->furthest = arcs->point[k];
-        query->corner = k;
-    }
-    query->compared++;
-}
-//<
-
-static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
-                         struct arc_query *query)
-{
-    const uint32_t from = leaf * PER_ARC, n = arcs->points.n;
-    for (uint32_t k = from; k < n && k < from + PER_ARC; k++)
-        compare_corner(arcs, k, query);
-}
-//<
-
-//> Search an arc and those below it
-struct waiting_arc {
-    double bound;
-    uint32_t arc;
-};
-
-static inline struct waiting_arc wait_for(const struct arcs *arcs,
-                                          uint32_t k,
-                                          const struct arc_query *query)
-{
-    return (struct waiting_arc){
-        arc_bound(&arcs->arc[k], query->x, query->y), k};
-}
-
-static inline bool may_be_further(const struct arcs *arcs,
-                                  struct waiting_arc arc,
-                                  const struct arc_query *query)
-{
-    return arc.bound > query->max2 ||
-           (arc.bound == query->max2 &&
-            arcs->arc[arc.arc].lowest < query->furthest);
-}
-
-static void search_arc(const struct arcs *arcs, uint32_t k,
-                       struct arc_query *query)
-{
-    enum { DEEPEST = 40 };
-    struct waiting_arc stack[DEEPEST];
-    int height = 0;
-    stack[height++] = wait_for(arcs, k, query);
-    while (height > 0) {
-        const struct waiting_arc next = stack[--height];
-        if (!may_be_further(arcs, next, query))
-            continue;
-        if (next.arc >= arcs->leaves - 1) {
-            compare_leaf(arcs, next.arc - (arcs->leaves - 1), query);
-            continue;
-        }
-        const struct waiting_arc a =
-            wait_for(arcs, 2 * next.arc + 1, query);
-        const struct waiting_arc b =
-            wait_for(arcs, 2 * next.arc + 2, query);
-        stack[height++] = a.bound > b.bound ? b : a;
-        stack[height++] = a.bound > b.bound ? a : b;
-    }
-}
-//<
-
-//> Climb from arc to arc
-// Each time, the other half of the arc above is searched, until all of
-// the round has been looked at.
-void arcs_furthest(const struct arcs *arcs, struct arc_query *query)
-{
-    const uint32_t leaf = query->corner / PER_ARC;
-    query->max2 = -1;
-    query->furthest = NO_INDEX;
-    compare_leaf(arcs, leaf, query);
-    for (uint32_t k = leaf + arcs->leaves - 1; k > 0; k = (k - 1) / 2)
-        search_arc(arcs, k % 2 ? k + 1 : k - 1, query);
 }
 //<
 //<

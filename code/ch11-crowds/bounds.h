@@ -42,11 +42,10 @@ INLINED double box_bound(const enum geometry geometry,
     if (box->left > box->right)
         return INFINITY;
     if (furthest)
-        return -distance2(
-            most_separation(geometry, space.width, box->left,
-                            box->right, x),
-            most_separation(geometry, space.height, box->bottom,
-                            box->top, y));
+        return -distance2(most_separation(geometry, space.width,
+                                          box->left, box->right, x),
+                          most_separation(geometry, space.height,
+                                          box->bottom, box->top, y));
     return distance2(least_separation(geometry, space.width, box->left,
                                       box->right, x),
                      least_separation(geometry, space.height,

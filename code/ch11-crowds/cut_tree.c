@@ -29,9 +29,8 @@ static struct point_record *draw(struct points points, uint32_t count,
 static struct box side_of(struct box region, struct cut cut,
                           bool second)
 {
-    double *edge = second
-                       ? (cut.by_y ? &region.bottom : &region.left)
-                       : (cut.by_y ? &region.top : &region.right);
+    double *edge = second ? (cut.by_y ? &region.bottom : &region.left)
+                          : (cut.by_y ? &region.top : &region.right);
     *edge = cut.at;
     return region;
 }
@@ -81,15 +80,15 @@ struct cut_tree cut_tree_make(struct points points, uint32_t per_piece,
     struct mark mark = workspace_mark(workspace);
     const uint32_t n = tree.leaves * SAMPLE_PER_LEAF;
     const struct cutting cutting = {
-        draw(points, n, workspace), &tree,
+        draw(points, n, workspace),
+        &tree,
         {workspace_take(workspace, n, sizeof(double)),
          workspace_take(workspace, n, sizeof(uint32_t))}};
     uint32_t *list = workspace_take(workspace, n, sizeof *list);
     for (uint32_t k = 0; k < n; k++)
         list[k] = k;
-    cut_sample(
-        &cutting, 0, list, n,
-        (struct box){-INFINITY, INFINITY, -INFINITY, INFINITY});
+    cut_sample(&cutting, 0, list, n,
+               (struct box){-INFINITY, INFINITY, -INFINITY, INFINITY});
     workspace_release(workspace, mark);
     return tree;
 }

@@ -24,7 +24,6 @@ struct halving {
     struct counts *counts;
 };
 
-// Some of them.
 struct some {
     uint32_t begin, end;
 };
@@ -44,31 +43,43 @@ static void ask(const struct halving *halving, struct place *p,
 }
 //<
 
-//> Walk up, and down
-// From place k of the other half on, as long as something there may be
-// as near, if it is right at the border. With wraparound the walk goes
-// on over the seam, once round at most. Says how many it has compared.
-static uint32_t walk(const struct halving *halving, struct place *p,
-                     struct some other, int64_t k, int step,
-                     double across)
+//> Walk up, or down
+// From place k of the other half on, up to its end, as long as
+// something there may be as near, if it is right at the border. Says
+// how many it has compared.
+struct offset {
+    double across, over; // to the border; the period, if over the seam
+};
+
+static uint32_t walk_on(const struct halving *halving, struct place *p,
+                        struct some other, int64_t k, int step,
+                        struct offset at)
 {
-    const bool wraps = halving->space.geometry == WRAPAROUND;
     uint32_t steps = 0;
-    for (; steps < other.end - other.begin; steps++, k += step) {
-        const bool over = k < other.begin || k >= other.end;
-        if (over && !wraps)
-            break;
-        if (over)
-            k = step > 0 ? other.begin : (int64_t)other.end - 1;
+    for (; k >= other.begin && k < other.end; k += step, steps++) {
         const struct place *q = &halving->place[halving->up[k]];
-        double apart = step * (q->y - p->y);
-        if (apart < 0)
-            apart += halving->space.height;
-        if (distance2(across, apart) > p->best2)
+        const double apart = at.over + step * (q->y - p->y);
+        if (distance2(at.across, apart) > p->best2)
             break;
         if (q != p)
             ask(halving, p, q);
     }
+    return steps;
+}
+
+// With wraparound once more, from the other end: there the place is
+// seen over the seam.
+static uint32_t walk(const struct halving *halving, struct place *p,
+                     struct some other, int64_t k, int step,
+                     double across)
+{
+    uint32_t steps =
+        walk_on(halving, p, other, k, step, (struct offset){across, 0});
+    if (halving->space.geometry == WRAPAROUND)
+        steps += walk_on(
+            halving, p, other,
+            step > 0 ? other.begin : (int64_t)other.end - 1, step,
+            (struct offset){across, halving->space.height});
     return steps;
 }
 //<
@@ -84,8 +95,7 @@ static uint64_t ask_over(const struct halving *halving,
     uint32_t k = other.begin;
     for (uint32_t i = these.begin; i < these.end; i++) {
         struct place *p = &halving->place[halving->up[i]];
-        while (k < other.end &&
-               halving->place[halving->up[k]].y < p->y)
+        while (k < other.end && halving->place[halving->up[k]].y < p->y)
             k++;
         const double across = border - p->x;
         if (p->asks && !(across * across > p->best2)) {
@@ -107,8 +117,8 @@ static void merge(const struct halving *halving, struct some half,
     for (uint32_t to = half.begin; to < other.end; to++) {
         const bool first =
             k == other.end ||
-            (i < half.end && halving->place[up[i]].y <=
-                                 halving->place[up[k]].y);
+            (i < half.end &&
+             halving->place[up[i]].y <= halving->place[up[k]].y);
         room[to] = first ? up[i++] : up[k++];
     }
     for (uint32_t to = half.begin; to < other.end; to++)
@@ -118,13 +128,11 @@ static void merge(const struct halving *halving, struct some half,
 
 //> Divide and join
 enum { WORTH_A_TASK = 1 << 13 };
-
 static void divide(const struct halving *halving, struct some some)
 {
-    const uint32_t middle =
-        some.begin + (some.end - some.begin) / 2;
-    const struct some half = {some.begin, middle};
-    const struct some other = {middle, some.end};
+    const uint32_t middle = some.begin + (some.end - some.begin) / 2;
+    const struct some half = {some.begin, middle},
+                      other = {middle, some.end};
     if (some.end - some.begin == 1) {
         halving->up[some.begin] = some.begin;
         return;
@@ -152,8 +160,8 @@ static void ask_over_seam(const struct halving *halving, uint32_t n)
     struct counts counts = {0};
     for (uint32_t k = 0; k < n; k++) {
         struct place *p = &halving->place[halving->up[k]];
-        const double across = halving->space.width -
-                              MAX(right - p->x, p->x - left);
+        const double across =
+            halving->space.width - MAX(right - p->x, p->x - left);
         if (p->asks && !(across * across > p->best2)) {
             counts.distances += walk(halving, p, all, k, 1, across);
             counts.distances +=
@@ -181,7 +189,7 @@ static uint32_t gather(struct place *place, struct points p,
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < p.n; i++)
-        place[i] = (struct place){p.x[i], p.y[i],   INFINITY, i,
+        place[i] = (struct place){p.x[i],   p.y[i],   INFINITY, i,
                                   NO_INDEX, NO_INDEX, false};
     qsort(place, p.n, sizeof *place, from_left);
     for (uint32_t k = 0; k < p.n; k++) {
@@ -205,7 +213,7 @@ static uint32_t gather(struct place *place, struct points p,
 static void answer(const struct place *place, uint32_t i,
                    struct answers *answers)
 {
-    const uint32_t beside =
+    uint32_t beside =
         place->lowest != i ? place->lowest : place->second;
     answers->nearest[i] = place->nearest;
     answers->nearest2[i] = place->best2;

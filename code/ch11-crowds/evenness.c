@@ -19,9 +19,8 @@ struct evenness measure_evenness(const struct question *question,
     const uint32_t sample =
         MAX(p.n / ONE_OF, MIN(p.n, SMALLEST_SAMPLE));
     struct mark mark = workspace_mark(workspace);
-    const struct grid grid =
-        grid_fit_in(workspace, question,
-                    (double)PER_COARSE_CELL * p.n / sample);
+    const struct grid grid = grid_fit_in(
+        workspace, question, (double)PER_COARSE_CELL * p.n / sample);
     const uint32_t m = grid_cells(&grid);
     uint32_t *count = workspace_take(workspace, m, sizeof *count);
     struct random random = {p.n};
@@ -42,9 +41,11 @@ struct evenness measure_evenness(const struct question *question,
 //<
 
 //> Decide whether a single grid will do
+// A box without width is not cut into cells: all is in one.
 bool is_even(const struct evenness *evenness)
 {
-    return evenness->together < 1.5 * evenness->expected &&
+    return evenness->cells >= evenness->sample / 16 &&
+           evenness->together < 1.5 * evenness->expected &&
            evenness->most < 5 * evenness->expected;
 }
 //<

@@ -5,7 +5,7 @@
 #include "ch09-row-spans/restore_order.h"
 #include "ch10-furthest/candidate_search.h"
 #include "ch11-crowds/arcs.h"
-#include "ch11-crowds/piece_search.h"
+#include "ch11-crowds/ask_pieces.h"
 
 // Lists of corners are no longer than this, so that they may be
 // compared with a query one by one.

@@ -11,7 +11,6 @@
 //> Hold a leaf that grows
 struct growing {
     const struct growth *growth;
-    uint32_t begin;       // of the leaf
     uint32_t first_piece; // of the leaf, and what it has used up
     uint32_t pieces, slots;
     uint32_t next_node;
@@ -32,9 +31,9 @@ static struct grid fit_grid(const struct growing *growing,
                             const struct box *box)
 {
     const uint32_t n = part->end - part->begin;
-    const size_t from = border_room(part->begin) +
-                        24 * (size_t)(growing->first_piece +
-                                      growing->pieces);
+    const size_t from =
+        border_room(part->begin) +
+        24 * (size_t)(growing->first_piece + growing->pieces);
     struct workspace room = {
         .block[0] = {(char *)(growing->growth->border + from),
                      (border_room(n) - 2) * sizeof(double), 0}};
@@ -42,8 +41,7 @@ static struct grid fit_grid(const struct growing *growing,
     double y[2] = {box->bottom, box->top};
     const struct question corners = {
         .points = {2, x, y}, .space.geometry = STANDARD, .threads = 1};
-    return grid_fit_in(&room, &corners,
-                       2 * POINTS_PER_SPAN_CELL / n);
+    return grid_fit_in(&room, &corners, 2 * POINTS_PER_SPAN_CELL / n);
 }
 //<
 
@@ -95,7 +93,8 @@ static void sort_piece(const struct growing *growing,
     cells_scan(start + 1, grid_cells(&piece->sorted.grid), 0);
     for (uint32_t k = part->begin; k < part->end; k++) {
         const uint32_t number = pieces->sorted.cells.point[k];
-        pieces->inverse[part->begin + start[record[number].cell + 1]++] =
+        pieces
+            ->inverse[part->begin + start[record[number].cell + 1]++] =
             number;
     }
     unpack(growing, part);
@@ -115,8 +114,7 @@ static struct piece *begin_piece(const struct growing *growing,
                               pieces->sorted.points.x + begin,
                               pieces->sorted.points.y + begin},
                    .cells = {growing->growth->start +
-                                 start_room(begin) +
-                                 4 * (size_t)number,
+                                 start_room(begin) + 4 * (size_t)number,
                              pieces->sorted.cells.point + begin}},
         .region = part->region,
         .begin = begin};
@@ -130,7 +128,8 @@ static void end_place(const struct growing *growing,
 {
     const struct pieces *pieces = growing->growth->pieces;
     piece->is_place = true;
-    memcpy(pieces->inverse + part->begin, pieces->sorted.cells.point + part->begin,
+    memcpy(pieces->inverse + part->begin,
+           pieces->sorted.cells.point + part->begin,
            (part->end - part->begin) * sizeof(uint32_t));
     unpack(growing, part);
     piece->lowest = piece->second = NO_INDEX;
@@ -153,13 +152,14 @@ static void grow_two(struct growing *growing, const struct part *part,
     struct part sides[2] = {*part, *part};
     struct cut cut;
     const uint32_t middle =
-        part->begin + cut_list(growth->record,
-                               growth->pieces->sorted.cells.point + part->begin,
-                               part->end - part->begin, &node->box,
-                               (struct cut_room){
-                                   growth->pieces->sorted.points.x + part->begin,
-                                   growth->pieces->inverse + part->begin},
-                               &cut);
+        part->begin +
+        cut_list(growth->record,
+                 growth->pieces->sorted.cells.point + part->begin,
+                 part->end - part->begin, &node->box,
+                 (struct cut_room){
+                     growth->pieces->sorted.points.x + part->begin,
+                     growth->pieces->inverse + part->begin},
+                 &cut);
     sides[0].end = sides[1].begin = middle;
     *(cut.by_y ? &sides[0].region.top : &sides[0].region.right) =
         cut.at;
@@ -178,12 +178,12 @@ static void grow_two(struct growing *growing, const struct part *part,
 static void survey(const struct growth *growth, const struct part *part,
                    struct node *node)
 {
-    const uint32_t *list = growth->pieces->sorted.cells.point + part->begin;
+    const uint32_t *list =
+        growth->pieces->sorted.cells.point + part->begin;
     const uint32_t n = part->end - part->begin;
     *node = (struct node){box_of(growth->record, list, n), NO_INDEX};
     for (uint32_t k = 0; k < n; k++)
-        node->lowest =
-            MIN(growth->record[list[k]].point, node->lowest);
+        node->lowest = MIN(growth->record[list[k]].point, node->lowest);
 }
 //<
 
@@ -194,8 +194,8 @@ static uint32_t cuts_wanted(const struct growing *growing,
                             const struct part *part,
                             struct piece *piece, const struct box *box)
 {
-    const bool may = part->end - part->begin >= FEWEST_TO_CUT &&
-                     growing->slots > 0;
+    const bool may =
+        part->end - part->begin >= FEWEST_TO_CUT && growing->slots > 0;
     if (may && part->cuts > 0)
         return part->cuts;
     piece->sorted.grid = fit_grid(growing, part, box);
@@ -237,7 +237,6 @@ uint32_t grow_leaf(const struct growth *growth, const struct leaf *leaf)
 {
     struct growing growing = {
         .growth = growth,
-        .begin = leaf->begin,
         .first_piece = leaf->piece,
         .slots = piece_slots(leaf->end - leaf->begin) - 1,
         .next_node = leaf->node + 1};

@@ -5,7 +5,7 @@
 #include "ch11-crowds/piece_search.h"
 #include "ch09-row-spans/batch_search.h"
 #include "ch09-row-spans/span_kernels.h"
-#include "ch11-crowds/piece_query.h"
+#include "ch11-crowds/ask_pieces.h"
 #include "common/min_max.h"
 #include <math.h>
 
@@ -77,41 +77,9 @@ static uint32_t nearest_in_piece(const struct scene *scene,
 }
 //<
 
-//> Ask all pieces
-// Some points that are next to the query in memory are not far away.
-enum { BESIDE = 4 };
-
-static struct piece_query query_for(const struct scene *all,
-                                    const struct pieces *pieces,
-                                    uint32_t s, uint64_t most)
-{
-    return (struct piece_query){.pieces = pieces,
-                                .all = all,
-                                .query = query_of(all->sorted, s),
-                                .most = most};
-}
-
-static struct neighbor answer_of(const struct piece_query *query,
-                                 bool found, struct counts *counts)
-{
-    counts->distances += query->query.compared;
-    return (struct neighbor){query->query.best2,
-                             found ? query->query.nearest : NO_INDEX};
-}
-
-static uint32_t beside_begin(uint32_t s)
-{
-    return s > BESIDE ? s - BESIDE : 0;
-}
-
-static uint32_t beside_end(uint32_t s, uint32_t n)
-{
-    return n - s > BESIDE ? s + BESIDE + 1 : n;
-}
-//<
-
 //> Answer exactly over all pieces
-// What the kernel has found is a bound, and will be found again.
+// What the kernel has found is a bound, and will be found again. It may
+// be far away, where a block has no other point.
 static void exact_nearest(const struct scene *scene,
                           const void *context, uint32_t s,
                           struct neighbor *found, struct counts *counts)
@@ -124,9 +92,8 @@ static void exact_nearest(const struct scene *scene,
         query_for(&whole->scene, whole->pieces, s, whole->most);
     if (found->index != NO_INDEX && found->index != query.query.self)
         query.query.best2 = found->distance2;
-    else
-        compare_nearest(&query, beside_begin(s),
-                        beside_end(s, whole->pieces->sorted.points.n));
+    compare_nearest(&query, beside_begin(s),
+                    beside_end(s, whole->pieces->sorted.points.n));
     *found = answer_of(&query, query_nearest(&query), counts);
     piece->given_up += found->index == NO_INDEX;
 }
@@ -149,9 +116,9 @@ static struct neighbor nearest_of_place(const struct whole *whole,
         query.query.best2 = 0;
         query.query.nearest = other;
     } else {
-        compare_nearest(
-            &query, beside_begin(piece->begin + s),
-            beside_end(piece->begin + s, whole->pieces->sorted.points.n));
+        compare_nearest(&query, beside_begin(piece->begin + s),
+                        beside_end(piece->begin + s,
+                                   whole->pieces->sorted.points.n));
     }
     return answer_of(&query, query_nearest(&query), counts);
 }
@@ -166,8 +133,8 @@ static void answer_place(struct piece_scene *scene,
     for (uint32_t s = 0; s < p.n; s++) {
         const bool first =
             piece->sorted.cells.point[s] == piece->lowest;
-        const bool again = s > 0 && p.x[s] == p.x[s - 1] &&
-                           p.y[s] == p.y[s - 1];
+        const bool again =
+            s > 0 && p.x[s] == p.x[s - 1] && p.y[s] == p.y[s - 1];
         if (first || !again || others.index == NO_INDEX) {
             struct neighbor found =
                 nearest_of_place(scene->whole, piece, s, counts);
@@ -215,60 +182,24 @@ uint64_t steps_allowed(uint32_t n)
     return 512 + 64 * (uint64_t)log2(n);
 }
 
-struct scene scene_of(const struct question *question,
-                      const struct pieces *pieces)
-{
-    return (struct scene){question->space, &pieces->sorted,
-                          span_kernels()};
-}
-
 uint32_t search_pieces(const struct question *question,
                        const struct pieces *pieces, uint64_t most,
                        struct neighbor *results)
 {
-    const struct whole whole = {
-        scene_of(question, pieces),
-        pieces,
-        pieces->node[0].box,
-        most};
+    const struct whole whole = {scene_of(question, pieces), pieces,
+                                pieces->node[0].box, most};
     uint32_t given_up = 0;
 #pragma omp parallel for num_threads(question->threads) \
     schedule(dynamic) reduction(+ : given_up)
     for (uint32_t k = 0; k < pieces->leaves; k++) {
         struct counts counts = {0};
         for (uint32_t piece = 0; piece < pieces->count[k]; piece++)
-            given_up +=
-                search_piece(&whole, &pieces->piece[pieces->first[k] +
-                                                    piece],
-                             results, &counts);
+            given_up += search_piece(
+                &whole, &pieces->piece[pieces->first[k] + piece],
+                results, &counts);
         counts_add(question->counts, &counts);
     }
     return given_up;
-}
-//<
-
-//> Ask for one point
-struct neighbor nearest_of_all(const struct scene *all,
-                               const struct pieces *pieces, uint32_t s,
-                               uint64_t most, struct counts *counts)
-{
-    struct piece_query query = query_for(all, pieces, s, most);
-    compare_nearest(&query, beside_begin(s),
-                    beside_end(s, pieces->sorted.points.n));
-    return answer_of(&query, query_nearest(&query), counts);
-}
-
-struct neighbor furthest_of_all(const struct scene *all,
-                                const struct pieces *pieces, uint32_t s,
-                                struct counts *counts)
-{
-    struct piece_query query = query_for(all, pieces, s, UINT64_MAX);
-    compare_furthest(&query, beside_begin(s),
-                     beside_end(s, pieces->sorted.points.n));
-    struct neighbor found =
-        answer_of(&query, query_furthest(&query), counts);
-    found.distance2 = -found.distance2;
-    return found;
 }
 //<
 //<

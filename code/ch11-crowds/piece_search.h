@@ -15,17 +15,4 @@ uint64_t steps_allowed(uint32_t n);
 uint32_t search_pieces(const struct question *question,
                        const struct pieces *pieces, uint64_t most,
                        struct neighbor *results);
-
-// All points as a scene, with the question's space.
-struct scene scene_of(const struct question *question,
-                      const struct pieces *pieces);
-
-// Asks all pieces for the neighbor of sorted point s. The nearest gives
-// up after so many steps, with NO_INDEX.
-struct neighbor nearest_of_all(const struct scene *all,
-                               const struct pieces *pieces, uint32_t s,
-                               uint64_t most, struct counts *counts);
-struct neighbor furthest_of_all(const struct scene *all,
-                                const struct pieces *pieces, uint32_t s,
-                                struct counts *counts);
 //<

@@ -49,8 +49,7 @@ static void count_leaves(const struct sending *sending, int k)
 static void send_chunk(const struct sending *sending, int k)
 {
     const struct points p = sending->points;
-    uint32_t *next =
-        sending->next + (size_t)k * sending->tree->leaves;
+    uint32_t *next = sending->next + (size_t)k * sending->tree->leaves;
     uint32_t i = chunk_begin(p.n, k, sending->chunks);
     const uint32_t end = chunk_begin(p.n, k + 1, sending->chunks);
     for (; i < end; i++) {
@@ -100,15 +99,14 @@ static void join(struct pieces *pieces, uint32_t k, uint32_t child,
 {
     const struct node *a = &pieces->node[child];
     const struct node *b = &pieces->node[sibling];
-    pieces->node[k] =
-        (struct node){{fmin(a->box.left, b->box.left),
-                       fmax(a->box.right, b->box.right),
-                       fmin(a->box.bottom, b->box.bottom),
-                       fmax(a->box.top, b->box.top)},
-                      MIN(a->lowest, b->lowest),
-                      child,
-                      sibling,
-                      0};
+    pieces->node[k] = (struct node){{fmin(a->box.left, b->box.left),
+                                     fmax(a->box.right, b->box.right),
+                                     fmin(a->box.bottom, b->box.bottom),
+                                     fmax(a->box.top, b->box.top)},
+                                    MIN(a->lowest, b->lowest),
+                                    child,
+                                    sibling,
+                                    0};
 }
 
 static uint32_t node_of(const struct pieces *pieces, uint32_t k)
@@ -139,8 +137,7 @@ static struct pieces take_pieces(uint32_t n, uint32_t leaves,
         .inverse = workspace_take(workspace, n, index),
         .node = workspace_take(workspace, leaves + 2 * slots,
                                sizeof(struct node)),
-        .piece =
-            workspace_take(workspace, slots, sizeof(struct piece)),
+        .piece = workspace_take(workspace, slots, sizeof(struct piece)),
         .leaves = leaves,
         .first = workspace_take(workspace, leaves, index),
         .count = workspace_take(workspace, leaves, index)};
@@ -157,16 +154,14 @@ struct pieces pieces_make(const struct question *question,
     struct pieces pieces = take_pieces(p.n, tree.leaves, workspace);
     const struct growth growth = {
         .pieces = &pieces,
-        .start = workspace_take(
-            workspace, start_room(p.n) + 4 * slots, sizeof(uint32_t)),
-        .border = workspace_take(workspace,
-                                 border_room(p.n) + 24 * slots,
-                                 sizeof(double))};
+        .start = workspace_take(workspace, start_room(p.n) + 4 * slots,
+                                sizeof(uint32_t)),
+        .border = workspace_take(
+            workspace, border_room(p.n) + 24 * slots, sizeof(double))};
     struct mark mark = workspace_mark(workspace);
     const int chunks = question->threads;
     struct growth grown = growth;
-    grown.record =
-        workspace_take(workspace, p.n, sizeof *grown.record);
+    grown.record = workspace_take(workspace, p.n, sizeof *grown.record);
     const struct sending sending = {
         p,
         chunks,

@@ -36,7 +36,7 @@ static struct complex exponential(double x, double y)
 //<
 
 //> Spread the points over many scales
-void log_normal(struct points points, uint64_t seed)
+void fill_log_normal(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -45,7 +45,7 @@ void log_normal(struct points points, uint64_t seed)
     }
 }
 
-void pareto(struct points points, uint64_t seed)
+void fill_pareto(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -54,7 +54,7 @@ void pareto(struct points points, uint64_t seed)
     }
 }
 
-void log_radius(struct points points, uint64_t seed)
+void fill_log_radius(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -66,14 +66,13 @@ void log_radius(struct points points, uint64_t seed)
 }
 
 // Twenty turns, each half as large as the one before.
-void spiral(struct points points, uint64_t seed)
+void fill_spiral(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
         const double turns = 20 * random_uniform(&random);
-        const struct complex z =
-            exponential(-0.6931471805599453 * turns,
-                        6.283185307179586 * turns);
+        const struct complex z = exponential(
+            -0.6931471805599453 * turns, 6.283185307179586 * turns);
         points.x[i] = z.x;
         points.y[i] = z.y;
     }
@@ -81,7 +80,7 @@ void spiral(struct points points, uint64_t seed)
 //<
 
 //> Crowd the points in few places
-void core_and_circle(struct points points, uint64_t seed)
+void fill_core_and_circle(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -97,7 +96,7 @@ void core_and_circle(struct points points, uint64_t seed)
 }
 
 // One of ten lives in the country.
-void towns(struct points points, uint64_t seed)
+void fill_towns(struct points points, uint64_t seed)
 {
     enum { TOWNS = 100 };
     struct random random = {seed};
@@ -111,15 +110,13 @@ void towns(struct points points, uint64_t seed)
         points.y[i] = random_uniform(&random);
         if (i % 10) {
             const int k = random_bits(&random) % TOWNS;
-            points.x[i] =
-                town[k][0] + 0.0001 * random_normal(&random);
-            points.y[i] =
-                town[k][1] + 0.0001 * random_normal(&random);
+            points.x[i] = town[k][0] + 0.0001 * random_normal(&random);
+            points.y[i] = town[k][1] + 0.0001 * random_normal(&random);
         }
     }
 }
 
-void half_equal(struct points points, uint64_t seed)
+void fill_half_equal(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -130,7 +127,7 @@ void half_equal(struct points points, uint64_t seed)
 //<
 
 //> Spoil the scale
-void outlier(struct points points, uint64_t seed)
+void fill_outlier(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -141,7 +138,7 @@ void outlier(struct points points, uint64_t seed)
     points.y[points.n - 1] = 1e9;
 }
 
-void thin(struct points points, uint64_t seed)
+void fill_thin(struct points points, uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t i = 0; i < points.n; i++) {
@@ -151,14 +148,14 @@ void thin(struct points points, uint64_t seed)
 }
 
 // Down to the last bit of a double; then again from 1 on.
-void geometric(struct points points, uint64_t seed)
+void fill_geometric(struct points points, uint64_t seed)
 {
     (void)seed;
     for (uint32_t i = 0; i < points.n; i++)
         points.x[i] = points.y[i] = ldexp(1, -(int)(i % 1075));
 }
 
-void doubled(struct points points, uint64_t seed)
+void fill_doubled(struct points points, uint64_t seed)
 {
     (void)seed;
     const uint32_t side = (uint32_t)ceil(sqrt(points.n / 2.0));

@@ -6,6 +6,7 @@
 
 typedef void fill_function(struct points points, uint64_t seed);
 
-fill_function log_normal, pareto, log_radius, spiral, core_and_circle,
-    towns, half_equal, outlier, thin, geometric, doubled;
+fill_function fill_log_normal, fill_pareto, fill_log_radius,
+    fill_spiral, fill_core_and_circle, fill_towns, fill_half_equal,
+    fill_outlier, fill_thin, fill_geometric, fill_doubled;
 //<

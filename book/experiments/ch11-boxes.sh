@@ -1,0 +1,3 @@
+#!/bin/sh
+# The pieces of the disc of Kuzmin, for a picture
+exec "$BUILD/ch11/boxes"

@@ -1,0 +1,30 @@
+//> Declare how all pieces are asked
+#pragma once
+#include "ch09-row-spans/batch_search.h"
+#include "ch11-crowds/piece_query.h"
+
+// All points as a scene, with the question's space.
+struct scene scene_of(const struct question *question,
+                      const struct pieces *pieces);
+
+// Asks all pieces for the neighbor of sorted point s. The nearest gives
+// up after so many steps, with NO_INDEX.
+struct neighbor nearest_of_all(const struct scene *all,
+                               const struct pieces *pieces, uint32_t s,
+                               uint64_t most, struct counts *counts);
+struct neighbor furthest_of_all(const struct scene *all,
+                                const struct pieces *pieces, uint32_t s,
+                                struct counts *counts);
+
+// The query of sorted point s, which has found nothing yet; and what it
+// has found in the end, counted.
+struct piece_query query_for(const struct scene *all,
+                             const struct pieces *pieces, uint32_t s,
+                             uint64_t most);
+struct neighbor answer_of(const struct piece_query *query, bool found,
+                          struct counts *counts);
+
+// Some points beside sorted point s: from one to the end.
+uint32_t beside_begin(uint32_t s);
+uint32_t beside_end(uint32_t s, uint32_t n);
+//<

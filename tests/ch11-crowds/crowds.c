@@ -1,0 +1,385 @@
+// Crowds: the search by pieces and the one that chooses, against the
+// plainest search there is; the search by halves, made to answer for
+// all; distances that grow no faster than log n, whatever the points;
+// and what the pieces promise.
+#include "algorithms.h"
+#include "ch11-crowds/adaptive.h"
+#include "ch11-crowds/arcs.h"
+#include "ch11-crowds/divide.h"
+#include "ch11-crowds/evenness.h"
+#include "ch11-crowds/piece_search.h"
+#include "common/allocate.h"
+#include "common/generate.h"
+#include "common/min_max.h"
+#include "common/random.h"
+#include "harness.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- questions -----------------------------------------------------
+static struct question ask(struct points points, enum geometry geometry,
+                           int threads)
+{
+    double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
+    for (uint32_t i = 0; i < points.n; i++) {
+        x0 = fmin(x0, points.x[i]), x1 = fmax(x1, points.x[i]);
+        y0 = fmin(y0, points.y[i]), y1 = fmax(y1, points.y[i]);
+    }
+    return (struct question){
+        points, {geometry, x1 - x0, y1 - y0}, threads};
+}
+
+static uint32_t count_near(const struct answers *right,
+                           const struct answers *found, uint32_t n)
+{
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; i < n; i++)
+        wrong += right->nearest2[i] != found->nearest2[i] ||
+                 right->nearest[i] != found->nearest[i];
+    return wrong;
+}
+
+static uint32_t count_far(const struct answers *right,
+                          const struct answers *found, uint32_t n)
+{
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; i < n; i++)
+        wrong += right->furthest2[i] != found->furthest2[i] ||
+                 right->furthest[i] != found->furthest[i];
+    return wrong;
+}
+
+// By all four ways: pieces, the choice, and the nearest with so few
+// steps that some or all queries give up.
+static void check_one(const char *name, const struct question *question,
+                      const struct answers *right)
+{
+    static const uint64_t steps[] = {0, 40};
+    const uint32_t n = question->points.n;
+    struct answers found = answers_allocate(n);
+    search_function *const rows[] = {adaptive, by_sample};
+    for (int row = 0; row < 2; row++) {
+        memset(found.nearest, 0xA5, n * sizeof *found.nearest);
+        memset(found.furthest, 0xA5, n * sizeof *found.furthest);
+        rows[row](question, &found);
+        CHECK_INT(0, count_near(right, &found, n),
+                  "nearest, row %d, %u %s points, geometry %d", row, n,
+                  name, question->space.geometry);
+        CHECK_INT(0, count_far(right, &found, n),
+                  "furthest, row %d, %u %s points, geometry %d", row, n,
+                  name, question->space.geometry);
+    }
+    for (int k = 0; k < 2; k++) {
+        struct workspace workspace = {0};
+        struct pieces pieces = pieces_make(question, &workspace);
+        memset(found.nearest, 0xA5, n * sizeof *found.nearest);
+        search_nearest_pieces(question, &pieces, steps[k], &workspace,
+                              &found);
+        CHECK_INT(0, count_near(right, &found, n),
+                  "nearest in %d steps, %u %s points, geometry %d",
+                  (int)steps[k], n, name, question->space.geometry);
+        workspace_free(&workspace);
+    }
+    answers_free(&found);
+}
+
+static void check_points(const char *name, struct points points)
+{
+    struct answers right = answers_allocate(points.n);
+    for (int g = STANDARD; g <= WRAPAROUND; g++) {
+        struct question question = ask(points, g, 1);
+        if (!isfinite(question.space.width) ||
+            !isfinite(question.space.height))
+            continue;
+        search_plainly(&question, &right);
+        for (int threads = 1; threads <= 4; threads *= 2) {
+            question.threads = threads;
+            check_one(name, &question, &right);
+        }
+    }
+    answers_free(&right);
+}
+
+static void every_generator(void)
+{
+    static const uint32_t lengths[] = {2,  3,   4,    7,   8,
+                                       95, 257, 1000, 5000};
+    const uint32_t most = at_most("MOST_POINTS", 5000);
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++)
+        for (int d = 0; d < distribution_count; d++) {
+            if (lengths[k] > most)
+                continue;
+            test_seed(k);
+            struct points points =
+                generate(&distributions[d], lengths[k], k);
+            check_points(distributions[d].name, points);
+            points_free(&points);
+        }
+}
+
+static void check_moved(const char *name, double scale, double x,
+                        double y)
+{
+    for (int d = 0; d < distribution_count; d++) {
+        struct points points = generate(&distributions[d], 400, 5);
+        char what[100];
+        snprintf(what, sizeof what, "%s %s", name,
+                 distributions[d].name);
+        for (uint32_t i = 0; i < points.n; i++) {
+            points.x[i] = x + scale * points.x[i];
+            points.y[i] = y + scale * points.y[i];
+        }
+        check_points(what, points);
+        points_free(&points);
+    }
+}
+
+static void moved_and_stretched(void)
+{
+    check_moved("far off", 1, 1e8, -1e8);
+    check_moved("very far off", 1, 1e15, 3e15);
+    check_moved("tiny", 1e-150, 0, 0);
+    check_moved("vanishing", 1e-161, 0, 0);
+    check_moved("hardly there", 1e-310, 0, 0);
+    check_moved("huge", 1e140, -5e139, 0);
+    check_moved("overflowing", 1e154, 0, 0);
+    check_moved("beyond all bounds", 1e297, 0, 0);
+}
+
+// Few different coordinates: ties, duplicates, lines of equal x.
+static void ties(void)
+{
+    for (uint64_t seed = 0; seed < 60; seed++) {
+        test_seed(seed);
+        struct random random = {seed};
+        const uint32_t n = 2 + random_bits(&random) % 600;
+        const int columns = 1 + random_bits(&random) % 20;
+        const int rows = 1 + random_bits(&random) % 20;
+        struct points points = points_allocate(n);
+        for (uint32_t i = 0; i < n; i++) {
+            points.x[i] =
+                (double)(random_bits(&random) % columns) / columns;
+            points.y[i] = (double)(random_bits(&random) % rows) / rows;
+        }
+        check_points("ties", points);
+        points_free(&points);
+    }
+}
+
+// ---- counts --------------------------------------------------------
+static double distances(const char *row, struct question question,
+                        unsigned answered)
+{
+    const struct algorithm *algorithm = find_algorithm(row);
+    struct answers found = answers_for(question.points.n, answered);
+    const struct counts counts =
+        count_operations(algorithm, &question, &found);
+    answers_free(&found);
+    return (double)counts.distances / question.points.n;
+}
+
+// At most 100 distances a point where there are ten thousand, nearest
+// and furthest, and no more than twice that among ten times as many.
+static void no_crowd_is_quadratic(void)
+{
+    enum { FEW = 10000, MANY = 100000 };
+    const uint32_t many = at_most("MOST_POINTS", MANY);
+    for (int d = 0; d < distribution_count; d++)
+        for (int g = STANDARD; g <= WRAPAROUND; g++)
+            for (unsigned answer = NEAREST; answer <= FURTHEST;
+                 answer++) {
+                const char *name = distributions[d].name;
+                struct points few = generate(&distributions[d], FEW, 1);
+                struct points more =
+                    generate(&distributions[d], MAX(FEW, many), 1);
+                double one =
+                    distances("by-sample", ask(few, g, 1), answer);
+                double other =
+                    distances("by-sample", ask(more, g, 1), answer);
+                CHECK(one < 100, "%s, geometry %d, answer %u: %g", name,
+                      g, answer, one);
+                CHECK(other < 2 * MAX(one, 8),
+                      "%s, geometry %d, answer %u: %g, then %g", name,
+                      g, answer, one, other);
+                points_free(&few);
+                points_free(&more);
+            }
+}
+
+static void threads_count_alike(void)
+{
+    for (int d = 0; d < distribution_count; d++) {
+        struct points points = generate(&distributions[d], 20000, 3);
+        double one = 0;
+        for (int threads = 1; threads <= 4; threads++) {
+            double found =
+                distances("adaptive", ask(points, WRAPAROUND, threads),
+                          NEAREST | FURTHEST);
+            one = threads == 1 ? found : one;
+            CHECK_DOUBLE(one, found, "%s, %d threads",
+                         distributions[d].name, threads);
+        }
+        points_free(&points);
+    }
+}
+
+// The search by halves alone: log2 n joins of a few distances each, on
+// whatever points.
+static void halves_are_n_log_n(void)
+{
+    enum { N = 20000 };
+    for (int d = 0; d < distribution_count; d++)
+        for (int g = STANDARD; g <= WRAPAROUND; g++) {
+            struct points points = generate(&distributions[d], N, 3);
+            struct counts counts = {0};
+            struct question question = ask(points, g, 2);
+            question.counts = &counts;
+            struct workspace workspace = {0};
+            struct answers found = answers_for(N, NEAREST);
+            uint32_t *all = allocate(N, sizeof *all);
+            for (uint32_t i = 0; i < N; i++)
+                all[i] = i;
+            search_by_halves(&question, all, N, &workspace, &found);
+            CHECK(counts.distances < 4 * N * log2(N),
+                  "%s, geometry %d: %g distances a point",
+                  distributions[d].name, g,
+                  (double)counts.distances / N);
+            free(all);
+            workspace_free(&workspace);
+            answers_free(&found);
+            points_free(&points);
+        }
+}
+
+// ---- what the pieces promise ---------------------------------------
+static bool holds(const struct box *box, double x, double y)
+{
+    return box->left <= x && x <= box->right && box->bottom <= y &&
+           y <= box->top;
+}
+
+static void check_piece(const char *name, const struct piece *piece,
+                        uint32_t *next)
+{
+    const struct points p = piece->sorted.points;
+    bool inside = true;
+    for (uint32_t s = 0; s < p.n; s++)
+        inside &= holds(&piece->region, p.x[s], p.y[s]);
+    CHECK(inside, "%s: a piece is in its region", name);
+    CHECK_INT(*next, piece->begin, "%s: pieces follow each other",
+              name);
+    *next += p.n;
+}
+
+static void pieces_hold_all_points(void)
+{
+    enum { N = 30000 };
+    for (int d = 0; d < distribution_count; d++) {
+        const char *name = distributions[d].name;
+        struct points points = generate(&distributions[d], N, 3);
+        struct question question = ask(points, STANDARD, 2);
+        struct workspace workspace = {0};
+        struct pieces pieces = pieces_make(&question, &workspace);
+        uint32_t next = 0, wrong = 0;
+        for (uint32_t k = 0; k < pieces.leaves; k++)
+            for (uint32_t i = 0; i < pieces.count[k]; i++)
+                check_piece(name, &pieces.piece[pieces.first[k] + i],
+                            &next);
+        CHECK_INT(N, next, "%s: all points are in pieces", name);
+        for (uint32_t s = 0; s < N; s++) {
+            const uint32_t i = pieces.sorted.cells.point[s];
+            wrong += pieces.permutation[i] != pieces.inverse[s] ||
+                     points.x[i] != pieces.sorted.points.x[s] ||
+                     points.y[i] != pieces.sorted.points.y[s];
+        }
+        CHECK_INT(0, wrong, "%s: each point is where it is said", name);
+        workspace_free(&workspace);
+        points_free(&points);
+    }
+}
+
+// A list is parted near its middle, but equal values stay together.
+static void cuts_are_balanced(void)
+{
+    enum { N = 1000 };
+    static struct point_record record[N];
+    static double value[N];
+    static uint32_t list[N], number[N];
+    for (int heavy = 0; heavy < 10; heavy++) {
+        struct random random = {heavy};
+        for (uint32_t k = 0; k < N; k++) {
+            const bool same = (int)(random_bits(&random) % 10) < heavy;
+            record[k].x = same ? 0.5 : random_uniform(&random);
+            list[k] = k;
+        }
+        const struct box box = box_of(record, list, N);
+        struct cut cut;
+        const uint32_t first =
+            cut_list(record, list, N, &box,
+                     (struct cut_room){value, number}, &cut);
+        uint32_t wrong = 0;
+        for (uint32_t k = 0; k < N; k++)
+            wrong += (record[list[k]].x < cut.at) != (k < first);
+        CHECK_INT(0, wrong, "%d tenths equal: parted", heavy);
+        CHECK(first > 0 && first < N, "%d tenths equal: both parts",
+              heavy);
+        CHECK(heavy > 6 || (first >= N / 8 && first <= N - N / 8),
+              "%d tenths equal: %u", heavy, first);
+    }
+}
+
+// ---- who decides ---------------------------------------------------
+static void even_points_get_a_grid(void)
+{
+    static const char *const even[] = {"uniform", "lattice", "doubled"};
+    const uint32_t sizes[] = {5000, 100000};
+    for (int d = 0; d < distribution_count; d++)
+        for (int k = 0; k < 2; k++) {
+            const char *name = distributions[d].name;
+            struct points points =
+                generate(&distributions[d], sizes[k], 9);
+            struct question question = ask(points, STANDARD, 1);
+            struct answers found = answers_for(points.n, NEAREST);
+            bool expected = strcmp(name, "thin") == 0;
+            for (int e = 0; e < 3; e++)
+                expected |= strcmp(name, even[e]) == 0;
+            by_sample(&question, &found);
+            CHECK_TEXT(expected ? "near-and-far" : "adaptive", found.by,
+                       "%u %s points", points.n, name);
+            answers_free(&found);
+            points_free(&points);
+        }
+}
+
+static void a_second_answer_takes_no_memory(void)
+{
+    for (int d = 0; d < distribution_count; d++) {
+        struct points points = generate(&distributions[d], 20000, 9);
+        struct question question = ask(points, WRAPAROUND, 2);
+        struct workspace workspace = {0};
+        question.workspace = &workspace;
+        struct answers found =
+            answers_for(points.n, NEAREST | FURTHEST);
+        adaptive(&question, &found);
+        const struct workspace before = workspace;
+        adaptive(&question, &found);
+        CHECK(memcmp(&before, &workspace, sizeof before) == 0,
+              "%s: the workspace is what it was",
+              distributions[d].name);
+        answers_free(&found);
+        workspace_free(&workspace);
+        points_free(&points);
+    }
+}
+
+int main(void)
+{
+    return RUN_TESTS(
+        "ch11", TEST(every_generator), TEST(moved_and_stretched),
+        TEST(ties), TEST(no_crowd_is_quadratic),
+        TEST(threads_count_alike), TEST(halves_are_n_log_n),
+        TEST(pieces_hold_all_points), TEST(cuts_are_balanced),
+        TEST(even_points_get_a_grid),
+        TEST(a_second_answer_takes_no_memory));
+}
