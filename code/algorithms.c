@@ -65,8 +65,8 @@ const struct algorithm algorithms[] = {
      "corners of the hull", furthest_hull},
     {"near-and-far", 10, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n",
      "spans, and few corners", near_and_far},
-    {"adaptive", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n log n",
-     "pieces with a grid each", adaptive},
+    {"adaptive", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
+     "n log n", "pieces with a grid each", adaptive},
     {"by-sample", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
      "n log n", "one grid, or pieces", by_sample},
 };

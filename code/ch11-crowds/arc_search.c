@@ -40,7 +40,6 @@ static void compare_corner(const struct arcs *arcs, uint32_t k,
     }
     query->compared++;
 }
-//<
 
 static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
                          struct arc_query *query)

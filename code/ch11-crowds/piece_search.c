@@ -150,7 +150,7 @@ static void answer_place(struct piece_scene *scene,
 }
 //<
 
-//> Search a piece
+//> Search a piece by batches
 static uint32_t search_piece(const struct whole *whole,
                              const struct piece *piece,
                              struct neighbor *results,

@@ -144,7 +144,7 @@ int main(int argc, char **argv)
     columns(&e, "name n one more twice fitted wrong");
     for (int d = 0; d < distribution_count; d++) {
         struct points p = generate(&distributions[d], n, 1);
-        row("%s\t%u\t%.5g\t%.5g\t%.5g\t%.5g\t%.4g",
+        row("grid_%s\t%u\t%.5g\t%.5g\t%.5g\t%.5g\t%.4g",
             distributions[d].name, n, squares(p, c, 1) / n,
             squares(p, c / 100, 1) / n, squares(p, c, 2) / n,
             fitted(p, c) / n, share_wrong(p));
