@@ -66,7 +66,7 @@ const struct algorithm algorithms[] = {
     {"near-and-far", 10, STANDARD | WRAPAROUND, NEAREST | FURTHEST, "n",
      "spans, and few corners", near_and_far},
     {"adaptive", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
-     "n log n", "pieces with a grid each", adaptive},
+     "n log n", "a grid in every piece", adaptive},
     {"by-sample", 11, STANDARD | WRAPAROUND, NEAREST | FURTHEST,
      "n log n", "one grid, or pieces", by_sample},
 };
