@@ -123,7 +123,7 @@ uint32_t cut_list(const struct point_record *record, uint32_t *list,
                   uint32_t n, const struct box *box,
                   struct cut_room room, struct cut *cut)
 {
-    double *value = room.value;
+    double *value = room.values;
     cut->by_y = box->top - box->bottom > box->right - box->left ||
                 box->left == box->right;
     for (uint32_t k = 0; k < n; k++)
@@ -131,6 +131,6 @@ uint32_t cut_list(const struct point_record *record, uint32_t *list,
     cut->at = place_of_cut(value, n);
     for (uint32_t k = 0; k < n; k++)
         value[k] = coordinate(&record[list[k]], cut->by_y);
-    return part(value, list, n, cut->at, room.number);
+    return part(value, list, n, cut->at, room.numbers);
 }
 //<

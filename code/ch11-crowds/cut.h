@@ -42,8 +42,8 @@ struct cut {
 //> Hold room for a cut
 // For as many values and numbers as there are points in the list.
 struct cut_room {
-    double *value;
-    uint32_t *number;
+    double *values;
+    uint32_t *numbers;
 };
 //<
 

@@ -26,6 +26,6 @@ int main(int argc, char **argv)
         row("%.6g\t%.6g\t0\t0\t0", question.points.x[i],
             question.points.y[i]);
     workspace_free(&workspace);
-    points_free(&question.points);
+    forget();
     return 0;
 }

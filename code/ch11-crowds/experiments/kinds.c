@@ -8,46 +8,31 @@
 #include "common/generate.h"
 #include "common/workspace.h"
 
-struct timing {
-    struct workspace workspace;
-    struct answers answers;
-    struct search search;
-};
-
-static struct trial prepare(struct timing *timing, const char *name,
-                            struct question question, unsigned answer)
-{
-    question.workspace = &timing->workspace;
-    timing->answers = answers_for(question.points.n, answer);
-    timing->search = (struct search){find_algorithm(name)->run,
-                                     question, &timing->answers};
-    return (struct trial){run_search, &timing->search};
-}
-
-static void finish(struct timing *timing)
-{
-    answers_free(&timing->answers);
-    workspace_free(&timing->workspace);
-}
-
 static void print_kind(const char *kind, uint32_t n, int trials)
 {
-    enum { WAYS = 5 };
-    struct question even = kind_question("uniform", n, 1);
-    struct question crowd = kind_question(kind, n, 1);
-    struct timing timing[WAYS] = {0};
-    struct trial trial[WAYS] = {
-        prepare(&timing[0], "row-spans", even, NEAREST),
-        prepare(&timing[1], "near-and-far", even, NEAREST | FURTHEST),
-        prepare(&timing[2], "by-sample", crowd, NEAREST),
-        prepare(&timing[3], "by-sample", crowd, NEAREST | FURTHEST),
-        prepare(&timing[4], "adaptive", crowd, NEAREST)};
+    const struct {
+        const char *algorithm, *kind;
+        unsigned answers;
+    } ways[] = {{"row-spans", "uniform", NEAREST},
+                {"near-and-far", "uniform", BOTH},
+                {"by-sample", kind, NEAREST},
+                {"by-sample", kind, BOTH},
+                {"adaptive", kind, NEAREST}};
+    enum { WAYS = COUNT_OF(ways) };
+    struct workspace workspace[WAYS] = {0};
+    struct trial trial[WAYS];
+    for (int k = 0; k < WAYS; k++) {
+        struct question question = kind_question(ways[k].kind, n, 1);
+        question.workspace = &workspace[k];
+        trial[k] =
+            search_trial(find_algorithm(ways[k].algorithm)->run,
+                         &question, new_answers(n, ways[k].answers));
+    }
     time_in_turn(trials, trial, WAYS);
     row_of_times(trial, WAYS, n, "%s\t%u", kind, n);
     for (int k = 0; k < WAYS; k++)
-        finish(&timing[k]);
-    points_free(&even.points);
-    points_free(&crowd.points);
+        workspace_free(&workspace[k]);
+    forget();
 }
 
 int main(int argc, char **argv)
@@ -58,5 +43,4 @@ int main(int argc, char **argv)
     columns(&e, "name n spans:3 even:3 near:3 both:3 adaptive:3");
     for (int d = 0; d < distribution_count; d++)
         print_kind(distributions[d].name, n, trials);
-    return 0;
 }

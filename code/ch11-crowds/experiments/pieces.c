@@ -64,7 +64,7 @@ static void print_kind(const char *kind, uint32_t n)
         (double)counts.tasks / n, given_up,
         (double)counts.distances / n, predict(&pieces));
     workspace_free(&workspace);
-    points_free(&question.points);
+    forget();
 }
 
 int main(int argc, char **argv)
