@@ -7,7 +7,6 @@
 #include "ch11-crowds/divide.h"
 #include "ch11-crowds/far_search.h"
 #include "ch11-crowds/piece_search.h"
-#include "common/clock.h"
 
 //> Ask once more
 // The steps that n queries were allowed are now for count of them: if
@@ -80,21 +79,22 @@ void search_nearest_pieces(const struct question *question,
     workspace_release(workspace, mark);
 }
 
-void adaptive(const struct question *question, struct answers *answers)
+static void cut_and_search(const struct question *question,
+                           struct answers *answers)
 {
-    struct workspace own = {0};
-    struct workspace *workspace =
-        question->workspace ? question->workspace : &own;
-    struct mark mark = workspace_mark(workspace);
-    struct pieces pieces = pieces_make(question, workspace);
-    answers->built_ns = clock_ns();
+    struct workspace *workspace = question->workspace;
+    const struct pieces pieces = pieces_make(question, workspace);
+    note_built(question);
     if (answers->nearest)
         search_nearest_pieces(question, &pieces,
                               steps_allowed(question->points.n),
                               workspace, answers);
     if (answers->furthest)
         search_furthest_pieces(question, &pieces, workspace, answers);
-    workspace_release(workspace, mark);
-    workspace_free(&own);
+}
+
+void adaptive(const struct question *question, struct answers *answers)
+{
+    search_in_workspace(question, cut_and_search, answers);
 }
 //<

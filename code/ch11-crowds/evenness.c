@@ -51,21 +51,23 @@ bool is_even(const struct evenness *evenness)
 //<
 
 //> Choose between grid and pieces
+static void choose_and_search(const struct question *question,
+                              struct answers *answers)
+{
+    const struct evenness evenness =
+        measure_evenness(question, question->workspace);
+    const bool even = is_even(&evenness);
+    if (question->by)
+        *question->by = even ? "near-and-far" : "adaptive";
+    if (even)
+        near_and_far(question, answers);
+    else
+        adaptive(question, answers);
+}
+
 void by_sample(const struct question *question, struct answers *answers)
 {
-    struct workspace own = {0};
-    struct question asked = *question;
-    if (!asked.workspace)
-        asked.workspace = &own;
-    const struct evenness evenness =
-        measure_evenness(&asked, asked.workspace);
-    const bool even = is_even(&evenness);
-    answers->by = even ? "near-and-far" : "adaptive";
-    if (even)
-        near_and_far(&asked, answers);
-    else
-        adaptive(&asked, answers);
-    workspace_free(&own);
+    search_in_workspace(question, choose_and_search, answers);
 }
 //<
 //<

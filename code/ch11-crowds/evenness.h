@@ -23,7 +23,7 @@ struct evenness measure_evenness(const struct question *question,
 bool is_even(const struct evenness *evenness);
 
 // The row of the table: near-and-far if the points are even, adaptive
-// if not; answers->by says which.
+// if not; question->by says which.
 void by_sample(const struct question *question,
                struct answers *answers);
 //<

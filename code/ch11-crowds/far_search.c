@@ -2,7 +2,7 @@
 // Queries come in the order of the pieces: the furthest of one is
 // nearly that of the next.
 #include "ch11-crowds/far_search.h"
-#include "ch09-row-spans/restore_order.h"
+#include "ch09-row-spans/batch_search.h"
 #include "ch10-furthest/candidate_search.h"
 #include "ch11-crowds/arcs.h"
 #include "ch11-crowds/ask_pieces.h"
@@ -103,7 +103,7 @@ static void search_corners_of(const struct far_search *search,
                               struct workspace *workspace,
                               struct answers *answers)
 {
-    struct corners corners = corners_find(search->question);
+    struct corners corners = corners_find(search->question, workspace);
     if (corners.points.n <= FEW_CORNERS) {
         search_few(search->question, &corners, workspace, answers);
     } else {
@@ -112,7 +112,6 @@ static void search_corners_of(const struct far_search *search,
         by_arcs.arcs = &arcs;
         search_and_restore(by_arcs, workspace, answers);
     }
-    corners_free(&corners);
 }
 //<
 
@@ -126,8 +125,8 @@ void search_furthest_pieces(const struct question *question,
         distance2(box->right - box->left, box->top - box->bottom);
     const struct far_search search = {question, pieces, NULL, NULL};
     struct mark mark = workspace_mark(workspace);
-    if (question->space.geometry == STANDARD && diagonal2 > LEAST_D2 &&
-        diagonal2 < MOST_D2)
+    if (question->space.geometry == STANDARD && diagonal2 > MIN_D2 &&
+        diagonal2 < MAX_D2)
         search_corners_of(&search, workspace, answers);
     else
         search_and_restore(search, workspace, answers);

@@ -10,7 +10,8 @@
 void compare_nearest(struct piece_query *query, uint32_t begin,
                      uint32_t end)
 {
-    query->all->kernels->compare(query->all, begin, end, &query->query);
+    query->all->kernels->compare(query->all, begin, end,
+                                        &query->query);
     query->query.compared += end - begin;
     query->steps += end - begin;
 }
@@ -20,12 +21,12 @@ void compare_furthest(struct piece_query *query, uint32_t begin,
 {
     const struct points p = query->pieces->sorted.points;
     const uint32_t *point = query->pieces->sorted.cells.point;
-    struct point_query *q = &query->query;
+    struct query *q = &query->query;
     for (uint32_t s = begin; s < end; s++) {
         const double far2 =
             furthest2(query->all->space, p.x[s] - q->x, p.y[s] - q->y);
         if (point[s] != q->self)
-            query_keep(q, -far2, point[s]);
+            query_keep(q, point[s], -far2);
     }
     q->compared += end - begin;
     query->steps += end - begin;
@@ -41,20 +42,19 @@ INLINED void search_place(const enum geometry geometry,
                           const struct node *node,
                           struct piece_query *query)
 {
-    struct point_query *q = &query->query;
+    struct query *q = &query->query;
     const uint32_t n = piece->sorted.points.n;
     const uint32_t index =
         piece->lowest != q->self ? piece->lowest : piece->second;
     if (index == NO_INDEX)
         return;
     if (!box_is_place(&node->box)) {
-        compare(furthest, query, piece->begin, piece->begin + n);
+        compare_points(furthest, query, piece->begin, piece->begin + n);
         return;
     }
-    query_keep(q,
+    query_keep(q, index,
                box_bound(geometry, furthest, query->all->space,
-                         &node->box, q->x, q->y),
-               index);
+                         &node->box, q->x, q->y));
     q->compared++;
     query->steps++;
 }
@@ -62,8 +62,7 @@ INLINED void search_place(const enum geometry geometry,
 
 //> Take a box where all distances vanish
 // Its squares vanish: then the lowest index will do.
-static bool take_vanishing(const struct node *node,
-                           struct point_query *query)
+static bool take_vanishing(const struct node *node, struct query *query)
 {
     const struct box *box = &node->box;
     if (query->best2 > 0 || node->lowest == query->self)
@@ -73,7 +72,7 @@ static bool take_vanishing(const struct node *node,
         most_separation(STANDARD, 0, box->bottom, box->top, query->y));
     if (far2 > 0)
         return false;
-    query_keep(query, 0, node->lowest);
+    query_keep(query, node->lowest, 0);
     return true;
 }
 //<
@@ -92,7 +91,7 @@ INLINED bool query_pieces(const enum geometry geometry,
                           struct piece_query *query)
 {
     const struct pieces *pieces = query->pieces;
-    struct point_query *q = &query->query;
+    struct query *q = &query->query;
     struct waiting stack[DEEPEST];
     int height = 1;
     stack[0] = (struct waiting){-INFINITY, 0};

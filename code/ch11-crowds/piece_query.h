@@ -11,9 +11,9 @@
 // turned: the less, the better. Among equals the lower index.
 struct piece_query {
     const struct pieces *pieces;
-    const struct scene *all;  // the space, all sorted points
-    struct point_query query; // as in chapter 9
-    uint64_t steps, most;     // rows, boxes and distances; at most
+    const struct scene *all; // the space, all sorted points
+    struct query query;      // as in chapter 9
+    uint64_t steps, most;    // rows, boxes and distances; at most
 };
 //<
 

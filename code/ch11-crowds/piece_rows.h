@@ -7,8 +7,9 @@
 #include "ch11-crowds/piece_query.h"
 
 //> Compare, near or far
-INLINED void compare(const bool furthest, struct piece_query *query,
-                     uint32_t begin, uint32_t end)
+INLINED void compare_points(const bool furthest,
+                            struct piece_query *query, uint32_t begin,
+                            uint32_t end)
 {
     if (furthest)
         compare_furthest(query, begin, end);
@@ -19,7 +20,7 @@ INLINED void compare(const bool furthest, struct piece_query *query,
 
 //> Decide whether something can be better
 // An equal distance can, if there is a lower index.
-static inline bool can_be_better(const struct point_query *query,
+static inline bool can_be_better(const struct query *query,
                                  double bound, uint32_t lowest)
 {
     return bound < query->best2 ||
@@ -110,8 +111,9 @@ INLINED void compare_row_of(const enum geometry geometry,
         struct cell_range range;
         if (cells_within(&grid->x, k == 0 ? x : x + k * space.width,
                          across, &range))
-            compare(furthest, query, piece->begin + start[range.first],
-                    piece->begin + start[range.last + 1]);
+            compare_points(furthest, query,
+                           piece->begin + start[range.first],
+                           piece->begin + start[range.last + 1]);
     }
     query->steps++;
 }

@@ -95,9 +95,9 @@ static struct summary answer(const struct algorithm *algorithm,
         if (options->timing)
             printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64
                    "\n",
-                   *question->by, question->points.n,
-                   question->threads, build, times[trial] - build,
-                   times[trial], counts.distances);
+                   *question->by, question->points.n, question->threads,
+                   build, times[trial] - build, times[trial],
+                   counts.distances);
     }
     struct summary summary = summarize(times, options->trials);
     free(times);
@@ -140,8 +140,8 @@ static void print_times(const struct plan *plan, int threads)
 {
     for (int k = 0; k < plan->count; k++)
         printf("time      %.3g s, %s, at most %d thread%s\n",
-               1e-9 * plan->ns[k].median, plan->by[k],
-               threads, threads > 1 ? "s" : "");
+               1e-9 * plan->ns[k].median, plan->by[k], threads,
+               threads > 1 ? "s" : "");
 }
 
 static int near(const struct options *options)

@@ -20,7 +20,7 @@ static double squares(struct points points, double c, int levels)
 {
     enum { FEW = 8 };
     struct question question = {points, {STANDARD, 1, 1}, 1};
-    struct sorted sorted = sorted_make(&question, c, cells_sort_alone);
+    struct sorted sorted = sorted_make(&question, c);
     const uint32_t *start = sorted.cells.start;
     double sum = 0;
     for (uint32_t k = 0; k < grid_cells(&sorted.grid); k++) {

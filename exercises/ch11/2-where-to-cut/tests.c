@@ -19,8 +19,7 @@ static uint32_t best_cut(const double *sorted, uint32_t n)
     uint32_t best = 0;
     for (uint32_t k = 1; k < n; k++)
         if (sorted[k] != sorted[k - 1] &&
-            (best == 0 ||
-             llabs(2LL * k - n) < llabs(2LL * best - n)))
+            (best == 0 || llabs(2LL * k - n) < llabs(2LL * best - n)))
             best = k;
     return best;
 }
@@ -55,8 +54,8 @@ static void try_numbers(const double *number, uint32_t n)
               .cause = "Only change places: no number may be lost.");
     const uint32_t right = best_cut(sorted, n);
     if (*first != right)
-        WRONG(.expected = kit_text("%u numbers in the first part",
-                                   right),
+        WRONG(.expected =
+                  kit_text("%u numbers in the first part", right),
               .found = kit_text("%u", *first),
               .cause = cause_of(sorted, n, *first));
     for (uint32_t k = 0; k < n; k++)
