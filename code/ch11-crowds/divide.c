@@ -1,9 +1,8 @@
 //> Search by halves
-// A place that asks for its nearest compares itself, over the border,
-// with those places of the other half that its circle reaches as far
-// as y and the border can tell. The circles of a half, each with no
-// other place inside, cover no point of the border more than a few
-// times: so a join of n places takes a few n steps.
+// A place compares itself, over the border, with those places of the
+// other half that its circle reaches as far as y and the border can
+// tell. No more than four circles of a half cover a point of the
+// border, so a join of n places takes a few n steps.
 #include "ch11-crowds/divide.h"
 #include "common/min_max.h"
 #include <stdbool.h>
@@ -236,15 +235,14 @@ void search_by_halves(const struct question *question,
         workspace_take(workspace, n, sizeof(uint32_t)),
         workspace_take(workspace, n, sizeof(uint32_t)),
         question->counts};
-    const uint32_t places =
-        gather(halving.place, question->points, where);
+    const uint32_t m = gather(halving.place, question->points, where);
     for (uint32_t k = 0; k < count; k++)
         halving.place[where[asking[k]]].asks = true;
 #pragma omp parallel num_threads(question->threads)
 #pragma omp single
-    divide(&halving, (struct some){0, places});
+    divide(&halving, (struct some){0, m});
     if (question->space.geometry == WRAPAROUND)
-        ask_over_seam(&halving, places);
+        ask_over_seam(&halving, m);
     for (uint32_t k = 0; k < count; k++)
         answer(&halving.place[where[asking[k]]], asking[k], answers);
     workspace_release(workspace, mark);
