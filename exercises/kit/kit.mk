@@ -25,7 +25,8 @@ slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thr
 
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
-modules    := $(patsubst code/%.c,%,$(wildcard code/common/*.c))
+# The driver of experiments knows all algorithms, and no exercise needs it.
+modules    := $(patsubst code/%.c,%,$(filter-out %/experiment.c,$(wildcard code/common/*.c)))
 kit_modules := kit judge confine marks slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 

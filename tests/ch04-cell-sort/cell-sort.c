@@ -346,14 +346,26 @@ static void the_test_makes_it_right(void)
     }
 }
 
+// Of the box of the points.
+static double longest_side(struct points p)
+{
+    double x0 = p.x[0], x1 = x0, y0 = p.y[0], y1 = y0;
+    for (uint32_t i = 1; i < p.n; i++) {
+        x0 = fmin(x0, p.x[i]), x1 = fmax(x1, p.x[i]);
+        y0 = fmin(y0, p.y[i]), y1 = fmax(y1, p.y[i]);
+    }
+    return fmax(x1 - x0, y1 - y0);
+}
+
 // Any c, any order of queries, any number of threads.
 static void every_search_agrees(void)
 {
     static const double per_cell[] = {0.1, 0.7, 2, 9, 1e9};
     for (int d = 0; d < distribution_count; d++)
         for (int g = STANDARD; g <= WRAPAROUND; g++) {
-            struct question question = {
-                generate(&distributions[d], 700, 2), {g, 4, 4}, 1};
+            struct points points = generate(&distributions[d], 700, 2);
+            const double side = 4 + longest_side(points);
+            struct question question = {points, {g, side, side}, 1};
             uint32_t n = question.points.n;
             struct answers right = answers_allocate(n);
             struct answers found = answers_allocate(n);
