@@ -3,6 +3,7 @@
 // that it is in, so that memory does not depend on the columns.
 #include "common/read_npy.h"
 #include "common/fail.h"
+#include "common/lines.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,6 +14,8 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 
 static const char magic[] = "\x93NUMPY";
 enum { MAGIC = 6, LONGEST_HEAD = 10000 };
+_Static_assert(LONGEST_HEAD + 12 <= LONGEST_LINE,
+               "a stream has room for either");
 
 struct array {
     uint64_t rows, columns;
