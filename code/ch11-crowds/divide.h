@@ -1,5 +1,5 @@
 //> Declare the search by halves
-// Nearest neighbors by dividing and joining (Bentley and Shamos 1976):
+// Nearest neighbors by dividing and joining (Shamos and Hoey 1975):
 // the points are halved by x, each half is searched by itself, and what
 // is near the border is compared over it, in the order of y. n log n
 // steps at worst, if the squared distances of different places do not
