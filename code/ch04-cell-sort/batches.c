@@ -1,7 +1,7 @@
 //> Search in batches of four
 // Four queries of a row share a block and go through its rows together,
 // one candidate at a time, one query in each lane; the block is widened
-// until it suffices all four. About 9 c + 10 distances a query.
+// until it suffices for all four. About 9 c + 10 distances a query.
 #include "ch04-cell-sort/batches.h"
 #include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
@@ -116,7 +116,7 @@ INLINED double unverified(const struct grid *grid,
 }
 //<
 
-//> Widen the block until it suffices all four
+//> Widen the block until it suffices for all four
 INLINED void search_batch(const enum geometry geometry,
                           struct space space,
                           const struct sorted *sorted,

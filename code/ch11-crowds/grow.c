@@ -188,7 +188,7 @@ static void survey(const struct growth *growth, const struct part *part,
 //<
 
 //> Decide whether to cut
-// Cutting in two halves the crowd in a cell at best. So where it is
+// A cut costs less than a count of cells. So where the crowding is
 // many times too large, several cuts are made before the next count.
 static uint32_t cuts_wanted(const struct growing *growing,
                             const struct part *part,
