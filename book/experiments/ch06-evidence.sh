@@ -67,9 +67,9 @@ row() { # name object function elements
         }' "$dir/report"
 }
 object_dir=$(dirname "$object")
-row portable_gather portable portable_gather 4
-row portable_scan portable portable_scan 4
-row portable_pack portable portable_pack 4
+row portable_gather primitives portable_gather 4
+row portable_scan primitives portable_scan 4
+row portable_pack primitives portable_pack 4
 row avx2_scan avx2 scan 8
 row avx2_pack avx2 pack 8
 row avx512_scan avx512 scan 16
