@@ -1,3 +1,3 @@
 #!/bin/sh
 # Who is furthest from whom
-exec "$BUILD/ch10/fans" 4000
+exec "$BUILD/ch10/regions" 4000

@@ -24,9 +24,9 @@ if (l3_max < 10000000) {
   set label "L3" at l3_max,graph 0.95 offset 0.6
 }
 set key bottom right opaque
-plot table using "n":"coming_q3":(0):(column("coming_max") - column("coming_q3")) with vectors nohead lt 2 dt 1 notitle, \
-     "" using "n":"coming_q1":(0):(column("coming_min") - column("coming_q1")) with vectors nohead lt 2 dt 1 notitle, \
-     "" using "n":"coming" with linespoints lt 2 title "as they come", \
+plot table using "n":"unordered_q3":(0):(column("unordered_max") - column("unordered_q3")) with vectors nohead lt 2 dt 1 notitle, \
+     "" using "n":"unordered_q1":(0):(column("unordered_min") - column("unordered_q1")) with vectors nohead lt 2 dt 1 notitle, \
+     "" using "n":"unordered" with linespoints lt 2 title "as they come", \
      "" using "n":"ordered_q3":(0):(column("ordered_max") - column("ordered_q3")) with vectors nohead lt 1 dt 1 notitle, \
      "" using "n":"ordered_q1":(0):(column("ordered_min") - column("ordered_q1")) with vectors nohead lt 1 dt 1 notitle, \
      "" using "n":"ordered" with linespoints lt 1 title "in the order of the cells"

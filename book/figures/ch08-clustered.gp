@@ -16,7 +16,7 @@ set xrange [700:5000000]
 set yrange [32:*]
 set xtics ("1,000" 1000, "10,000" 10000, "100,000" 100000, "1,000,000" 1e6)
 set key top left
-names = "coming ordered marching"
+names = "unordered ordered in_step"
 type(k) = k == 1 ? 2 : k == 2 ? 3 : 1
 plot for [k = 1:3] table using "n":(of(word(names, k) . "_q3")):(0):(column(word(names, k) . "_max") - column(word(names, k) . "_q3")) with vectors nohead lt type(k) dt 1 notitle, \
      for [k = 1:3] "" using "n":(of(word(names, k) . "_q1")):(0):(column(word(names, k) . "_min") - column(word(names, k) . "_q1")) with vectors nohead lt type(k) dt 1 notitle, \

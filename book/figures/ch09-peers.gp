@@ -26,8 +26,8 @@ set xrange [700:14000000]
 unset key
 set multiplot layout 3,2 margins 0.11,0.985,0.15,0.955 spacing 0.035,0.035
 do for [kind in "uniform clustered kuzmin"] {
-  do for [order in "coming ordered"] {
-    left = order eq "coming"
+  do for [order in "unordered ordered"] {
+    left = order eq "unordered"
     set title (kind ne "uniform" ? "" : left ? "points as they come" : "points in strips") offset 0,-0.6
     set label 1 (kind eq "kuzmin" ? "Kuzmin" : kind) at graph 0.04, graph 0.91 front
     set ylabel (left ? "ns a point" : "") offset 0.5

@@ -12,7 +12,7 @@
 //> Fix the sizes of a tile
 enum { SIDE = 256 }; // a multiple of LANES
 
-struct columns {
+struct tile_columns {
     double x[SIDE], y[SIDE];
     double near2[SIDE], far2[SIDE]; // the best so far
 };
@@ -21,7 +21,7 @@ struct columns {
 //> Load the columns of a tile
 // Beyond the last point stands NAN: no distance to it is smaller or
 // greater than another.
-static void load(struct columns *columns, struct points points,
+static void load(struct tile_columns *columns, struct points points,
                  uint64_t left)
 {
     for (uint32_t k = 0; k < SIDE; k++) {
@@ -40,7 +40,7 @@ static void load(struct columns *columns, struct points points,
 // the last.
 INLINED struct pair measure(const enum geometry geometry,
                             struct space space, double x, double y,
-                            struct columns *columns)
+                            struct tile_columns *columns)
 {
     double *restrict near2 = columns->near2;
     double *restrict far2 = columns->far2;
@@ -81,7 +81,7 @@ INLINED uint64_t tile(const enum geometry geometry,
                       struct bests bests, uint64_t top, uint64_t left)
 {
     const struct points p = question->points;
-    struct columns columns;
+    struct tile_columns columns;
     load(&columns, p, left);
     const uint64_t right = MIN(left + SIDE, p.n);
     uint64_t pairs = 0;

@@ -150,8 +150,9 @@ void find_cell_ids(const struct grid *grid, struct points points,
                    uint32_t begin, uint32_t end, uint32_t *cell_id)
 {
     const struct grid g = *grid; // a copy: cell_id cannot change it
-    for (uint32_t i = begin; i < end; i++)
-        cell_id[i] = grid_cell(&g, points.x[i], points.y[i]);
+    const double *x = points.x + begin, *y = points.y + begin;
+    for (uint32_t k = 0; k < end - begin; k++)
+        cell_id[k] = grid_cell(&g, x[k], y[k]);
 }
 //<
 //<

@@ -45,8 +45,8 @@ static inline uint32_t grid_cell(const struct grid *grid, double x,
 }
 //<
 
-// Writes the cells of the points begin .. end - 1 to cell_id[begin] and
-// so on.
+// Writes the cells of the points begin .. end - 1 to cell_id[0] and so
+// on.
 void find_cell_ids(const struct grid *grid, struct points points,
                    uint32_t begin, uint32_t end, uint32_t *cell_id);
 

@@ -45,34 +45,22 @@ struct buckets {
 };
 //<
 
-//> Find the cells of a strip
-// Of the points i and following, at most STRIP and before end.
-static uint32_t strip_cells(const struct buckets *buckets, uint32_t i,
-                            uint32_t end, uint32_t *cell)
-{
-    struct points strip = {end - i < STRIP ? end - i : STRIP,
-                           buckets->points.x + i,
-                           buckets->points.y + i};
-    find_cell_ids(buckets->grid, strip, 0, strip.n, cell);
-    return strip.n;
-}
-//<
-
 //> Count the points of every bucket
 // The cells are computed anew when they are needed again: that is
 // cheaper than to write them down.
 static void count_buckets(const struct buckets *buckets)
 {
-    const uint32_t n = buckets->points.n;
+    const struct points p = buckets->points;
 #pragma omp parallel for num_threads(buckets->chunks)
     for (int k = 0; k < buckets->chunks; k++) {
         uint32_t *mine = buckets->next + (size_t)k * buckets->count;
-        uint32_t i = chunk_begin(n, k, buckets->chunks);
-        uint32_t end = chunk_begin(n, k + 1, buckets->chunks);
+        uint32_t i = chunk_begin(p.n, k, buckets->chunks);
+        uint32_t end = chunk_begin(p.n, k + 1, buckets->chunks);
         uint32_t cell[STRIP], count;
         memset(mine, 0, buckets->count * sizeof *mine);
         for (; i < end; i += count) {
-            count = strip_cells(buckets, i, end, cell);
+            count = MIN(end - i, STRIP);
+            find_cell_ids(buckets->grid, p, i, i + count, cell);
             for (uint32_t s = 0; s < count; s++)
                 mine[cell[s] >> buckets->shift]++;
         }
@@ -90,7 +78,8 @@ static void write_chunk(const struct buckets *buckets, int k,
     uint32_t end = chunk_begin(p.n, k + 1, buckets->chunks);
     uint32_t cell[STRIP], count;
     for (; i < end; i += count) {
-        count = strip_cells(buckets, i, end, cell);
+        count = MIN(end - i, STRIP);
+        find_cell_ids(buckets->grid, p, i, i + count, cell);
         for (uint32_t s = 0; s < count; s++) {
             uint32_t at = next[cell[s] >> buckets->shift]++;
             buckets->record[at] =

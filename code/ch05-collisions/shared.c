@@ -21,7 +21,7 @@ struct cells cells_sort_atomic(const struct grid *grid,
     for (int k = 0; k < threads; k++) {
         uint32_t i = chunk_begin(n, k, threads);
         uint32_t end = chunk_begin(n, k + 1, threads);
-        find_cell_ids(grid, points, i, end, cell_id);
+        find_cell_ids(grid, points, i, end, cell_id + i);
         //> Count one point at a time
         for (; i < end; i++) {
 #pragma omp atomic
@@ -56,7 +56,7 @@ static void count_chunks(const struct grid *grid, struct points points,
         uint32_t i = chunk_begin(points.n, k, chunks);
         uint32_t end = chunk_begin(points.n, k + 1, chunks);
         memset(mine, 0, m * sizeof *mine);
-        find_cell_ids(grid, points, i, end, cell_id);
+        find_cell_ids(grid, points, i, end, cell_id + i);
         for (; i < end; i++)
             mine[cell_id[i]]++;
     }

@@ -14,7 +14,6 @@ struct advance {
     const struct map *map;
     const struct spiral_kernels *kernels;
     struct strip *strip;
-    struct watch *watch;
 };
 //<
 
@@ -32,12 +31,10 @@ static void visit_cells(const struct advance *a,
 {
     struct strip *strip = a->strip;
     struct tally *tally = &strip->tally;
-    watch_loop(a->watch, IN_CELLS);
     a->kernels->enter_cells(a->map, strip, tasks, dx, dy);
     tally->cell_steps++;
     tally->tried += tasks->n;
     tally->entered += strip->here.n;
-    watch_loop(a->watch, IN_POINTS);
     while (strip->here.n > 0) {
         tally->point_steps++;
         tally->compared += strip->here.n;
@@ -45,7 +42,6 @@ static void visit_cells(const struct advance *a,
         tally->lanes_unpacked += lanes_for(strip->all.n);
         a->kernels->compare_points(a->map, strip);
     }
-    watch_loop(a->watch, IN_LAYERS);
 }
 //<
 
@@ -223,7 +219,7 @@ void advance_tasks(const struct question *question,
 #pragma omp parallel for num_threads(threads) schedule(dynamic)
     for (uint32_t k = 0; k <= (n - 1) / length; k++) {
         struct advance a = {&map, kernels,
-                            &strips[omp_get_thread_num()], plan->watch};
+                            &strips[omp_get_thread_num()]};
         uint32_t first = k * length;
         advance_strip(&a, first, MIN(n - first, length), answers);
     }

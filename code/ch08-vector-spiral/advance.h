@@ -5,14 +5,12 @@
 // do in a loop are packed away before it.
 #pragma once
 #include "ch08-vector-spiral/spiral_kernels.h"
-#include "ch08-vector-spiral/watch.h"
 
 //> Plan the strips
 struct strip_plan {
     const struct spiral_kernels *kernels;
     uint32_t length;     // tasks of a strip, at least 1
     struct tally *tally; // set unless NULL
-    struct watch *watch; // with one thread only, or NULL
 };
 //<
 

@@ -59,6 +59,16 @@ INLINED __m256i cells_after(const enum geometry geometry,
 }
 //<
 
+//> Mark the lanes within the bounds
+USE_AVX512
+static inline __mmask8 at_least(__mmask8 here, const int32_t *bound,
+                                __m256i steps)
+{
+    return _mm256_mask_cmpge_epi32_mask(here, eight(here, bound),
+                                        steps);
+}
+//<
+
 //> Enter a cell, eight by eight
 USE_AVX512
 INLINED void enter_in(const enum geometry geometry,
@@ -74,13 +84,8 @@ INLINED void enter_in(const enum geometry geometry,
     uint32_t n = tasks->n, k = 0;
     uint64_t visited = 0;
     for (uint32_t i = 0; i < n; i += 8) {
-        __mmask8 all = left(n - i);
-        //> Mark the lanes within the bounds
-        __mmask8 within = _mm256_mask_cmpge_epi32_mask(
-            all, eight(all, bound_x + i), steps_x);
-        within = _mm256_mask_cmpge_epi32_mask(
-            within, eight(all, bound_y + i), steps_y);
-        //<
+        __mmask8 within = at_least(left(n - i), bound_x + i, steps_x);
+        within = at_least(within, bound_y + i, steps_y);
         //> Number the cells of the marked lanes
         __m256i row =
             cells_after(geometry, y, eight(within, tasks->row + i), dy);

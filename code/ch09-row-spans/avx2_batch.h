@@ -83,23 +83,6 @@ INLINED void sweep_own(measure_lanes *measure,
 }
 //<
 
-//> Set up the lanes
-USE_AVX2
-INLINED struct lane_state lanes_for(struct space space,
-                                    const struct staging *staging,
-                                    uint32_t own)
-{
-    const __m256 far2 = _mm256_set1_ps(FAR2);
-    return (struct lane_state){
-        _mm256_loadu_ps(staging->place_x + own),
-        _mm256_loadu_ps(staging->place_y + own),
-        _mm256_set1_ps((float)(2 * space.width)),
-        _mm256_set1_ps((float)(2 * space.height)),
-        far2,
-        far2};
-}
-//<
-
 //> Sweep over three row spans with AVX2
 // In the middle row in steps back from the queries, and on from them.
 USE_AVX2
@@ -111,7 +94,14 @@ INLINED struct best_two sweep(measure_lanes *measure,
     const uint32_t own = batch->own, *from = batch->from,
                    *to = batch->to;
     const uint32_t steps = (own - from[1] + STEP - 1) / STEP;
-    struct lane_state lanes = lanes_for(scene->space, staging, own);
+    const __m256 far2 = _mm256_set1_ps(FAR2);
+    struct lane_state lanes = {
+        _mm256_loadu_ps(staging->place_x + own),
+        _mm256_loadu_ps(staging->place_y + own),
+        _mm256_set1_ps((float)(2 * scene->space.width)),
+        _mm256_set1_ps((float)(2 * scene->space.height)),
+        far2,
+        far2};
     struct best_two two;
     sweep_span(measure, staging, from[0], to[0], &lanes);
     sweep_span(measure, staging, own - steps * STEP, own, &lanes);

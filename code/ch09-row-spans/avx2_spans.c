@@ -93,18 +93,6 @@ INLINED void keep_four(struct four_best *four, __m256d d2,
 //<
 
 USE_AVX2
-INLINED void keep_best_of_four(const struct four_best *four,
-                               struct query *query)
-{
-    double best2[4];
-    uint64_t nearest[4];
-    _mm256_storeu_pd(best2, four->best2);
-    _mm256_storeu_si256((__m256i *)nearest, four->nearest);
-    for (int lane = 0; lane < 4; lane++)
-        query_keep(query, (uint32_t)nearest[lane], best2[lane]);
-}
-
-USE_AVX2
 INLINED void compare_span(const enum geometry geometry,
                           const struct scene *scene, uint32_t begin,
                           uint32_t end, struct query *query)
@@ -128,7 +116,12 @@ INLINED void compare_span(const enum geometry geometry,
         __m128i candidate = _mm_maskload_epi32(point + s, there);
         keep_four(&four, d2, _mm256_cvtepu32_epi64(candidate), wide);
     }
-    keep_best_of_four(&four, query);
+    double best2[4];
+    uint64_t nearest[4];
+    _mm256_storeu_pd(best2, four.best2);
+    _mm256_storeu_si256((__m256i *)nearest, four.nearest);
+    for (int lane = 0; lane < 4; lane++)
+        query_keep(query, (uint32_t)nearest[lane], best2[lane]);
 }
 
 USE_AVX2

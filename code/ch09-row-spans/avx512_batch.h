@@ -16,27 +16,6 @@ typedef __m512 measure_wide(const struct wide_lanes *lanes, __m512 dx,
                             __m512 dy);
 //<
 
-//> Load each query into two lanes
-USE_AVX512
-INLINED struct wide_lanes wide_lanes_for(struct space space,
-                                         const struct staging *staging,
-                                         uint32_t own)
-{
-    const __m512i twice = _mm512_setr_epi32(0, 0, 1, 1, 2, 2, 3, 3, 4,
-                                            4, 5, 5, 6, 6, 7, 7);
-    const __m512 far2 = _mm512_set1_ps(FAR2);
-    __m256 x = _mm256_loadu_ps(staging->place_x + own);
-    __m256 y = _mm256_loadu_ps(staging->place_y + own);
-    return (struct wide_lanes){
-        _mm512_permutexvar_ps(twice, _mm512_castps256_ps512(x)),
-        _mm512_permutexvar_ps(twice, _mm512_castps256_ps512(y)),
-        _mm512_set1_ps((float)(2 * space.width)),
-        _mm512_set1_ps((float)(2 * space.height)),
-        far2,
-        far2};
-}
-//<
-
 //> Keep the best two twice
 USE_AVX512
 INLINED void keep_two_wide(struct wide_lanes *lanes, __m512 value)
@@ -138,8 +117,20 @@ INLINED struct best_two sweep_wide(measure_wide *measure,
     const uint32_t own = batch->own, *from = batch->from,
                    *to = batch->to;
     const uint32_t steps = (own - from[1] + STEP - 1) / STEP;
-    struct wide_lanes lanes =
-        wide_lanes_for(scene->space, staging, own);
+    //> Load each query into two lanes
+    const __m512i twice = _mm512_setr_epi32(0, 0, 1, 1, 2, 2, 3, 3, 4,
+                                            4, 5, 5, 6, 6, 7, 7);
+    const __m256 x = _mm256_loadu_ps(staging->place_x + own);
+    const __m256 y = _mm256_loadu_ps(staging->place_y + own);
+    const __m512 far2 = _mm512_set1_ps(FAR2);
+    struct wide_lanes lanes = {
+        _mm512_permutexvar_ps(twice, _mm512_castps256_ps512(x)),
+        _mm512_permutexvar_ps(twice, _mm512_castps256_ps512(y)),
+        _mm512_set1_ps((float)(2 * scene->space.width)),
+        _mm512_set1_ps((float)(2 * scene->space.height)),
+        far2,
+        far2};
+    //<
     sweep_span_wide(measure, staging, from[0], to[0], &lanes);
     sweep_span_wide(measure, staging, own - steps * STEP, own, &lanes);
     sweep_own_wide(measure, staging, own, &lanes);

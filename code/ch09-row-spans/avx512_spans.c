@@ -78,20 +78,6 @@ INLINED void keep_eight(struct eight_best *eight, __m512d d2,
 }
 //<
 
-//> Compare the eight lanes
-USE_AVX512
-INLINED void keep_best_of_eight(const struct eight_best *eight,
-                                struct query *query)
-{
-    double best2[8];
-    uint64_t nearest[8];
-    _mm512_storeu_pd(best2, eight->best2);
-    _mm512_storeu_si512(nearest, eight->nearest);
-    for (int lane = 0; lane < 8; lane++)
-        query_keep(query, (uint32_t)nearest[lane], best2[lane]);
-}
-//<
-
 //> Compare a query with a row span, eight at a time
 USE_AVX512
 INLINED void compare_span(const enum geometry geometry,
@@ -115,7 +101,14 @@ INLINED void compare_span(const enum geometry geometry,
         __m256i candidate = _mm256_maskz_loadu_epi32(there, point + s);
         keep_eight(&eight, d2, _mm512_cvtepu32_epi64(candidate), there);
     }
-    keep_best_of_eight(&eight, query);
+    //> Compare the eight lanes
+    double best2[8];
+    uint64_t nearest[8];
+    _mm512_storeu_pd(best2, eight.best2);
+    _mm512_storeu_si512(nearest, eight.nearest);
+    for (int lane = 0; lane < 8; lane++)
+        query_keep(query, (uint32_t)nearest[lane], best2[lane]);
+    //<
 }
 //<
 

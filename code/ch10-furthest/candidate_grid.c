@@ -167,22 +167,6 @@ static void make_lists(struct builder *builder, uint32_t side,
 }
 //<
 
-//> Measure from the lower left
-static struct points measured_from(struct points p, double left,
-                                   double bottom,
-                                   struct workspace *workspace)
-{
-    struct points measured = {
-        p.n, workspace_take(workspace, p.n, sizeof *p.x),
-        workspace_take(workspace, p.n, sizeof *p.y)};
-    for (uint32_t k = 0; k < p.n; k++) {
-        measured.x[k] = p.x[k] - left;
-        measured.y[k] = p.y[k] - bottom;
-    }
-    return measured;
-}
-//<
-
 //> Make the candidate grid
 struct candidate_grid candidate_grid_make(const struct corners *corners,
                                           uint32_t n,
@@ -204,13 +188,20 @@ struct candidate_grid candidate_grid_make(const struct corners *corners,
     grid.cell = workspace_take(workspace, (size_t)side * side,
                                sizeof *grid.cell);
     //<
-    struct builder builder = {
-        .points = measured_from(p, x.low, y.low, workspace),
-        .width = width,
-        .height = height,
-        .margin = fits ? diagonal2 * 0x1p-46 : INFINITY,
-        .grid = &grid,
-        .workspace = workspace};
+    //> Measure from the lower left
+    const struct points low = corners_take(p.n, workspace).points;
+    for (uint32_t k = 0; k < p.n; k++) {
+        low.x[k] = p.x[k] - x.low;
+        low.y[k] = p.y[k] - y.low;
+    }
+    //<
+    struct builder builder = {.points = low,
+                              .width = width,
+                              .height = height,
+                              .margin =
+                                  fits ? diagonal2 * 0x1p-46 : INFINITY,
+                              .grid = &grid,
+                              .workspace = workspace};
     // If all squared distances vanish, one corner is enough.
     make_lists(&builder, side, diagonal2 > 0 ? p.n : 1);
     return grid;

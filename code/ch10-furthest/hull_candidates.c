@@ -33,21 +33,13 @@ static struct column_range occupied(const struct sorted *sorted,
 }
 //<
 
-//> Join and meet two ranges
+//> Join two ranges
 // Both of them and all between.
 static struct column_range join(struct column_range a,
                                 struct column_range b)
 {
     return (struct column_range){MIN(a.first, b.first),
                                  MAX(a.last, b.last)};
-}
-
-// Those that are in both.
-static struct column_range meet(struct column_range a,
-                                struct column_range b)
-{
-    return (struct column_range){MAX(a.first, b.first),
-                                 MIN(a.last, b.last)};
 }
 //<
 
@@ -69,9 +61,10 @@ static struct column_range *enclosed_columns(
     for (uint32_t row = rows; row-- > 0;) {
         if (row + 2 < rows)
             above = join(above, occupied(sorted, row + 2));
-        enclosed[row] = meet(enclosed[row], above);
-        enclosed[row].first += 2;
-        enclosed[row].last -= 2;
+        below = enclosed[row];
+        enclosed[row] =
+            (struct column_range){MAX(below.first, above.first) + 2,
+                                  MIN(below.last, above.last) - 2};
     }
     return enclosed;
 }
@@ -96,21 +89,6 @@ static struct spans spans_of(const struct sorted *sorted, uint32_t row,
 }
 //<
 
-//> Take a span
-static void take(const struct sorted *sorted, uint32_t begin,
-                 uint32_t end, struct corners *found)
-{
-    const uint32_t at = found->points.n, count = end - begin;
-    memcpy(found->points.x + at, sorted->points.x + begin,
-           count * sizeof(double));
-    memcpy(found->points.y + at, sorted->points.y + begin,
-           count * sizeof(double));
-    memcpy(found->point + at, sorted->cells.point + begin,
-           count * sizeof(uint32_t));
-    found->points.n += count;
-}
-//<
-
 //> Take all spans
 static struct corners take_candidates(
     const struct sorted *sorted, const struct column_range *enclosed,
@@ -124,11 +102,22 @@ static struct corners take_candidates(
             count += spans.end[k] - spans.begin[k];
     }
     struct corners found = corners_take(count, workspace);
-    found.points.n = 0;
+    uint32_t at = 0;
     for (uint32_t row = 0; row < rows; row++) {
         struct spans spans = spans_of(sorted, row, enclosed[row]);
-        for (int k = 0; k < 2; k++)
-            take(sorted, spans.begin[k], spans.end[k], &found);
+        for (int k = 0; k < 2; k++) {
+            //> Take a span
+            const uint32_t begin = spans.begin[k];
+            count = spans.end[k] - begin;
+            memcpy(found.points.x + at, sorted->points.x + begin,
+                   count * sizeof(double));
+            memcpy(found.points.y + at, sorted->points.y + begin,
+                   count * sizeof(double));
+            memcpy(found.point + at, sorted->cells.point + begin,
+                   count * sizeof(uint32_t));
+            at += count;
+            //<
+        }
     }
     return found;
 }

@@ -68,16 +68,6 @@ INLINED void note_points(const uint32_t lanes, struct points p,
 }
 //<
 
-//> Note the points of a stretch
-static void note_stretch(struct points p, uint32_t begin, uint32_t end,
-                         struct octagon *octagon)
-{
-    uint32_t whole = end - (end - begin) % LANES;
-    note_points(LANES, p, begin, whole, begin, octagon);
-    note_points(1, p, whole, end, begin, octagon);
-}
-//<
-
 static uint32_t stretch_end(uint32_t n, uint32_t begin)
 {
     return n - begin < STRETCH ? n : begin + STRETCH;
@@ -96,9 +86,15 @@ static struct octagon octagon_find(struct points p, int threads)
     {
         struct octagon mine = octagon;
 #pragma omp for schedule(static)
-        for (uint32_t s = 0; s < stretches; s++)
-            note_stretch(p, s * STRETCH, stretch_end(p.n, s * STRETCH),
-                         &mine);
+        for (uint32_t s = 0; s < stretches; s++) {
+            //> Note the points of a stretch
+            const uint32_t begin = s * STRETCH;
+            const uint32_t end = stretch_end(p.n, begin);
+            const uint32_t whole = end - (end - begin) % LANES;
+            note_points(LANES, p, begin, whole, begin, &mine);
+            note_points(1, p, whole, end, begin, &mine);
+            //<
+        }
 #pragma omp critical
         for (int e = 0; e < EXTREMES; e++)
             note_extreme(&octagon, e, mine.extreme[e], mine.stretch[e]);

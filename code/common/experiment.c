@@ -2,6 +2,7 @@
 // cannot be written ends the program at once: a table that took an hour
 // is not lost without a word at its end.
 #include "common/experiment.h"
+#include "common/min_max.h"
 #include "common/report.h"
 #include <ctype.h>
 #include <errno.h>
@@ -16,18 +17,18 @@ struct experiment experiment_begin(int argc, char **argv)
 }
 
 uint32_t parameter(struct experiment *experiment, const char *name,
-                   uint32_t otherwise, uint32_t least, uint32_t most)
+                   uint32_t usual, uint32_t min, uint32_t max)
 {
     if (experiment->next >= experiment->argc)
-        return otherwise < most ? otherwise : most;
+        return MIN(usual, max);
     const char *text = experiment->argv[experiment->next++];
     char *end;
     double number = strtod(text, &end);
     bool whole = end > text && !*end && number == floor(number);
-    if (!whole || number < least || number > most)
+    if (!whole || number < min || number > max)
         fail("expected %s from %" PRIu32 " to %" PRIu32
              ", found \"%s\"",
-             name, least, most, text);
+             name, min, max, text);
     return (uint32_t)number;
 }
 

@@ -48,11 +48,11 @@ struct experiment {
 // and output that cannot be written ends the program.
 struct experiment experiment_begin(int argc, char **argv);
 
-// The next argument, a whole number from least to most; 2e4 is one,
-// too. If there is none, the number otherwise, or most if that is less.
+// The next argument, a whole number from min to max; 2e4 is one, too.
+// If there is none, the usual number, or max if that is less.
 // Fails with the name of the parameter, what was expected and found.
 uint32_t parameter(struct experiment *experiment, const char *name,
-                   uint32_t otherwise, uint32_t least, uint32_t most);
+                   uint32_t usual, uint32_t min, uint32_t max);
 
 // Heads the table: machine, compiler, flags and date, and the names of
 // the columns, with a space between two. NAME:3 stands for three,

@@ -15,17 +15,6 @@
 
 enum { LINE = 64, MIN_BLOCK = 1 << 16, SMALL_PAGE = 4096 };
 
-//> Touch fresh pages
-// By as many threads as will use them: the pages are handed out to
-// several threads at a time, and near the processor that asks.
-static void touch(char *memory, size_t bytes, int threads)
-{
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-    for (size_t at = 0; at < bytes; at += SMALL_PAGE)
-        memory[at] = 0;
-}
-//<
-
 //> Find a block with room
 // A block beyond the last is empty. One that is empty and too small is
 // given back for a larger one.
@@ -46,7 +35,13 @@ void workspace_reserve(struct workspace *workspace, size_t bytes,
     free(block->memory);
     block->size = MAX(bytes, MIN_BLOCK);
     block->memory = allocate(block->size, 1);
-    touch(block->memory, block->size, threads);
+    //> Touch fresh pages
+    // By as many threads as will use them: the pages are handed out to
+    // several threads at a time, and near the processor that asks.
+#pragma omp parallel for num_threads(threads) if (threads > 1)
+    for (size_t at = 0; at < block->size; at += SMALL_PAGE)
+        block->memory[at] = 0;
+    //<
 }
 //<
 

@@ -176,7 +176,9 @@ static const char *const manual[] = {
     "  OMP_WAIT_POLICY",
     "                active: threads that wait for each other keep",
     "                their processors busy; a little faster where",
-    "                no other work is going on (default: passive)",
+    "                no other work is going on (default: passive;",
+    "                they look for work for a tenth of a millisecond",
+    "                or so, by GOMP_SPINCOUNT, and then sleep)",
 
     "",
     "EXIT STATUS",

@@ -5,11 +5,12 @@
 
 enum { MAX_THREADS = 1024 }; // that can be asked for
 
-// Starts the program once more, with threads that sleep while they wait
-// for each other: those that look for work all the time take it from
-// other programs, and from each other. The OpenMP library reads what it
-// is to do before main begins. Returns where that is settled already,
-// or cannot be had. To be called first.
+// Starts the program once more, with threads that look for work only a
+// moment, and then sleep: those that look all the time take it from
+// other programs, and from each other, and to sleep and wake takes
+// longer than many a wait. The OpenMP library reads what it is to do
+// before main begins. Returns where that is settled already, or cannot
+// be had. To be called first.
 void let_waiting_threads_sleep(char **argv);
 
 // How many to use for n points, at least one, if so many are wanted, or

@@ -24,7 +24,7 @@ static const char *const ours[] = {"row-spans", "cells-threads",
 static const struct peer *const peers[] = {&peer_nanoflann, &peer_cgal,
                                            &peer_ann, &peer_flann};
 static const char *const kinds[] = {"uniform", "clustered", "kuzmin"};
-static const char *const orders[] = {"coming", "ordered"};
+static const char *const orders[] = {"unordered", "ordered"};
 enum {
     OURS = COUNT_OF(ours),
     PEERS = COUNT_OF(peers),
@@ -93,10 +93,10 @@ static void compete_for(uint32_t n, const struct rules *rules,
                         struct contender contenders[ORDERS][PROGRAMS])
 {
     for (int kind = 0; kind < KINDS; kind++) {
-        struct points coming =
+        struct points unordered =
             generate(find_distribution(kinds[kind]), n, 1);
-        struct points points[ORDERS] = {coming,
-                                        points_in_strips(coming)};
+        struct points points[ORDERS] = {unordered,
+                                        points_in_strips(unordered)};
         for (int order = 0; order < ORDERS; order++) {
             struct instance instance = instance_of(points[order]);
             compete_on(&instance, kind, order, rules,

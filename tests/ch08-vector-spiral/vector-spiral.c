@@ -69,7 +69,7 @@ static struct tally tally_of(const struct question *question, double c,
     struct grid grid = grid_fit(question, c);
     struct cells cells = cells_sort(&grid, question->points);
     struct tally tally;
-    struct strip_plan plan = {kernels, length, &tally, NULL};
+    struct strip_plan plan = {kernels, length, &tally};
     advance_tasks(question, &grid, &cells, &plan, &answers);
     cells_free(&cells);
     grid_free(&grid);

@@ -9,7 +9,7 @@
 #include "ch08-vector-spiral/experiments/small_prices.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 
-enum { SORT = WATCHED, WHOLE, LOOPS };
+enum { IN_LAYERS, IN_CELLS, IN_POINTS, SORT, WHOLE, LOOPS };
 
 // Of the arrays that the loop over points goes through, for each task.
 enum { BYTES_LOOKED = 89 };
@@ -98,6 +98,41 @@ static double price_of(const struct line *line,
            line->starts * prices->start;
 }
 
+// The time in each of the three loops, and how often the search came
+// to it. The kernels of the search tell: a loop begins or ends where
+// one is called, or leaves no visits behind.
+static struct watch {
+    const struct spiral_kernels *kernels;
+    int loop;
+    int64_t since, ns[SORT];
+    uint64_t entries[SORT];
+} watch;
+
+static void watch_loop(int loop)
+{
+    int64_t now = clock_ns();
+    watch.ns[watch.loop] += now - watch.since;
+    watch.since = now;
+    watch.loop = loop;
+    watch.entries[loop]++;
+}
+
+static void enter_watched(const struct map *map, struct strip *strip,
+                          const struct tasks *tasks, int32_t dx,
+                          int32_t dy)
+{
+    watch_loop(IN_CELLS);
+    watch.kernels->enter_cells(map, strip, tasks, dx, dy);
+    watch_loop(strip->here.n > 0 ? IN_POINTS : IN_LAYERS);
+}
+
+static void compare_watched(const struct map *map, struct strip *strip)
+{
+    watch.kernels->compare_points(map, strip);
+    if (strip->here.n == 0)
+        watch_loop(IN_LAYERS);
+}
+
 // What reading the watch takes, is taken off.
 static double watch_price(void)
 {
@@ -112,19 +147,21 @@ static void time_loops(const struct question *question,
                        struct answers *answers, double reading,
                        double ns[static LOOPS], struct tally *tally)
 {
-    struct watch watch = {0};
-    struct strip_plan plan = {&spiral_by_primitives[isa_chosen()],
-                              STRIP, tally, NULL};
+    const struct spiral_kernels *kernels =
+        &spiral_by_primitives[isa_chosen()];
+    const struct spiral_kernels watched = {kernels->isa, enter_watched,
+                                           compare_watched};
+    struct strip_plan plan = {kernels, STRIP, tally};
     int64_t begin = clock_ns();
     struct grid grid = grid_fit(question, 1);
     struct cells cells = cells_sort(&grid, question->points);
     int64_t sorted = clock_ns();
     advance_tasks(question, &grid, &cells, &plan, answers);
     int64_t end = clock_ns();
-    watch.since = end;
-    plan.watch = &watch;
+    plan.kernels = &watched;
+    watch = (struct watch){.kernels = kernels, .since = end};
     advance_tasks(question, &grid, &cells, &plan, answers);
-    for (int k = 0; k < WATCHED; k++)
+    for (int k = 0; k < SORT; k++)
         ns[k] = watch.ns[k] - reading * watch.entries[k];
     ns[SORT] = sorted - begin;
     ns[WHOLE] = end - begin;

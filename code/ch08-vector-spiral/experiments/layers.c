@@ -44,7 +44,7 @@ int main(int argc, char **argv)
     struct cells cells = cells_sort(&grid, question.points);
     struct tally tally;
     struct strip_plan plan = {spiral_kernels(isa_chosen()), STRIP,
-                              &tally, NULL};
+                              &tally};
     advance_tasks(&question, &grid, &cells, &plan,
                   new_answers(n, NEAREST));
     columns(&e, "name n layer seeking expected_seeking looking shown"

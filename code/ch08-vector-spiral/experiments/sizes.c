@@ -34,7 +34,7 @@ static double compared_in_step(const struct question *question,
     struct cells cells = cells_sort(&grid, question->points);
     struct tally tally;
     struct strip_plan plan = {spiral_kernels(isa_chosen()), STRIP,
-                              &tally, NULL};
+                              &tally};
     advance_tasks(question, &grid, &cells, &plan, answers);
     cells_free(&cells);
     grid_free(&grid);
@@ -81,8 +81,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 100000, 1000, MANY);
     int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
-    columns(&e, "name kind n sets sequential:5 vector:5 coming:5"
-                " ordered:5 marching:5");
+    columns(&e, "name kind n sets sequential:5 vector:5 unordered:5"
+                " ordered:5 in_step:5");
     print_sizes("uniform", most, sets);
     print_sizes("clustered", most, sets);
 }

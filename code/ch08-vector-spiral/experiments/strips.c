@@ -23,7 +23,7 @@ struct strips {
 static void run_strips(void *context)
 {
     struct strips *s = context;
-    struct strip_plan plan = {s->kernels, s->length, &s->tally, NULL};
+    struct strip_plan plan = {s->kernels, s->length, &s->tally};
     advance_tasks(s->question, s->grid, s->cells, &plan, s->answers);
 }
 

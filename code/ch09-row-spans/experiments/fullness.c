@@ -72,7 +72,7 @@ int main(int argc, char **argv)
         trials[2 * k + 1] = (struct trial){search, s};
     }
     time_in_turn(count, trials, 2 * SIZES);
-    columns(&e, "name c distances expected alone alone_expected sort:3 "
+    columns(&e, "name c distances expected exact exact_expected sort:3 "
                 "search:3");
     for (int k = 0; k < SIZES; k++)
         print_size(sizes[k].name, &stages[k], &trials[2 * k]);

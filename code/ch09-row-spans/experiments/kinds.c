@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 5000, 2, MANY);
     uint32_t more = parameter(&e, "MORE", 100000, 2, MANY);
     int count = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n threads distances alone spiral:3 cells:3 "
+    columns(&e, "name n threads distances exact spiral:3 cells:3 "
                 "spans:3 all:3");
     print_kind("uniform", more, count);
     print_kind("clustered", more, count);

@@ -121,11 +121,11 @@ static const struct {
     void (*work)(void *);
 } phases[] = {{"fit", fit},
               {"copied", sort_and_copy},
-              {"carried", fit_and_partition},
+              {"partitioned", fit_and_partition},
               {"short_turns", search_straight},
               {"turns", search_by_chunks},
               {"search", search},
-              {"at_home", search_in_place},
+              {"in_place", search_in_place},
               {"all", all},
               {"floor", touch_floor}};
 enum { PHASES = COUNT_OF(phases) };

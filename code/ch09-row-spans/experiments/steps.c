@@ -138,7 +138,7 @@ int main(int argc, char **argv)
         trials[k] =
             (struct trial){.work = steps[k].work, .context = &s};
     time_in_turn(count, trials, STEPS);
-    columns(&e, "name n distances alone ns:3");
+    columns(&e, "name n distances exact ns:3");
     for (int k = 0; k < STEPS; k++) {
         struct counts counts = {0};
         s.question.counts = &counts;

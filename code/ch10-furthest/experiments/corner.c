@@ -28,7 +28,7 @@ static void print_search(const char *panel, const struct sorted *sorted,
                 row("%s_cell\t%u\t%u", panel, column, line);
     for (uint32_t i = 0; i < p.n; i++)
         print_place(panel, "point", grid, p.x[i], p.y[i]);
-    print_place(panel, "asks", grid, p.x[query], p.y[query]);
+    print_place(panel, "query", grid, p.x[query], p.y[query]);
     print_place(panel, "found", grid, p.x[found], p.y[found]);
     print_place(panel, "right", grid, p.x[right], p.y[right]);
     double radius = sqrt(circle.radius2);

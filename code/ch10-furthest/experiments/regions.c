@@ -1,16 +1,16 @@
 // Points of two kinds, for each the rank of its furthest point, 0 for
 // the one that is the furthest of most, and of how many it is the
 // furthest itself.
-//     fans [POINTS]
+//     regions [POINTS]
 #include "common/experiment.h"
 
-struct fan {
-    uint32_t point, points; // furthest from so many
+struct region {
+    uint32_t point, points; // of so many it is the furthest
 };
 
 static int by_number(const void *a, const void *b)
 {
-    const struct fan *p = a, *q = b;
+    const struct region *p = a, *q = b;
     return (p->points < q->points) - (p->points > q->points);
 }
 
@@ -19,26 +19,26 @@ static void print_kind(const char *kind, uint32_t n)
     struct question question = kind_question(kind, n, 1);
     struct answers *answers = new_answers(n, FURTHEST);
     find_algorithm("furthest-hull")->run(&question, answers);
-    struct fan *fans = take(n, sizeof *fans);
+    struct region *regions = take(n, sizeof *regions);
     uint32_t *rank = take(n, sizeof *rank);
     for (uint32_t i = 0; i < n; i++)
-        fans[i].point = i;
+        regions[i].point = i;
     for (uint32_t i = 0; i < n; i++)
-        fans[answers->furthest[i]].points++;
-    qsort(fans, n, sizeof *fans, by_number);
+        regions[answers->furthest[i]].points++;
+    qsort(regions, n, sizeof *regions, by_number);
     for (uint32_t k = 0; k < n; k++)
-        rank[fans[k].point] = k;
+        rank[regions[k].point] = k;
     for (uint32_t i = 0; i < n; i++)
         row("%s\t%.5g\t%.5g\t%u\t%u", kind, question.points.x[i],
             question.points.y[i], rank[answers->furthest[i]],
-            fans[rank[i]].points);
+            regions[rank[i]].points);
 }
 
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 6000, 2, MANY);
-    columns(&e, "kind x y rank fans");
+    columns(&e, "kind x y rank points");
     print_kind("uniform", n);
     print_kind("clustered", n);
 }
