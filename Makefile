@@ -323,6 +323,10 @@ include $(wildcard exercises/course/course.mk)
 check-race: | $(BUILD)/setup/check
 	tests/check-race $(BUILD)/race
 
+#: mistakes planted in the modules: the tests notice each
+check-mutations: | $(BUILD)/setup/test
+	tests/check-mutations $(BUILD)
+
 #: the programs' tests under sanitizers, and what they cover
 check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
@@ -368,7 +372,7 @@ clean:
 #: this list
 help:
 	@awk '/^#: / { text = substr($$0, 4); next } \
-	  text != "" { split($$0, a, ":"); printf "  %-14s %s\n", a[1], text; text = "" }' \
+	  text != "" { split($$0, a, ":"); printf "  %-15s %s\n", a[1], text; text = "" }' \
 	  Makefile $(wildcard exercises/course/course.mk)
 
 # What each object and each program waits for, of those that there are.
@@ -378,4 +382,4 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
 .PHONY: all programs test test-all check-book figures drawings readme chapterN measure measureN evidence
-.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-memory analyze fuzz check-arm64 format clean help
+.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help

@@ -59,12 +59,6 @@ const char *read_number(const char *field, char separator,
     return *end == 0 || *end == separator ? end : NULL;
 }
 //<
-
-bool has_vanished(const char *field, double number)
-{
-    char first = field[strspn(field, "+-0.")];
-    return number == 0 && '1' <= first && first <= '9';
-}
 bool is_count(double number)
 {
     return number >= 1 && number <= UINT32_MAX &&

@@ -28,9 +28,6 @@ const char *next_field(const char *place, char separator);
 const char *read_number(const char *field, char separator,
                         double *number);
 
-// Whether the field's number is 0 in a double and is not 0 as written.
-bool has_vanished(const char *field, double number);
-
 // Whether the field may be the head of a column. A missing value is
 // none, nor a number in quotes, nor what people write or type for one:
 // l.5, or a minus sign of another script.

@@ -73,18 +73,6 @@ void blank_tabs(struct lines *lines)
         trim(lines);
 }
 
-static void make_plain(struct lines *lines, const char *line,
-                       size_t length)
-{
-    lines->line = memcpy(lines->copy, line, length);
-    lines->line[length] = 0;
-    if (strncmp(lines->line, "\xef\xbb\xbf", 3) == 0)
-        memset(lines->line, ' ', 3); // a byte order mark
-    trim(lines);
-    if (!lines->tabs)
-        blank_tabs(lines);
-}
-
 // Of the next line, with its end; 0 if there is none.
 static size_t line_length(const struct lines *lines)
 {
@@ -104,7 +92,13 @@ bool take_line(struct lines *lines)
         lines->next += length;
         lines->number++;
         lines->complete = line[length - 1] == '\n';
-        make_plain(lines, line, length);
+        lines->line = memcpy(lines->copy, line, length);
+        lines->line[length] = 0;
+        if (strncmp(lines->line, "\xef\xbb\xbf", 3) == 0)
+            memset(lines->line, ' ', 3); // a byte order mark
+        trim(lines);
+        if (!lines->tabs)
+            blank_tabs(lines);
     } while (!lines->line[strspn(lines->line, " \t")]);
     return true;
 }
@@ -129,23 +123,18 @@ static bool read_text(struct lines *lines)
     return lines->next < lines->end;
 }
 
-// Fails where the next line is no text. How much of a line that is too
-// long has been read depends on the threads; what is said does not.
-static void insist_on_text(const struct lines *lines)
-{
-    const size_t all = line_length(lines);
-    const size_t length = MIN(all, LONGEST_LINE - 1);
-    if (length > 0)
-        fail("%s:%zu: expected text, found a %s", lines->stream->name,
-             lines->number + 1,
-             is_text(lines->next, length) ? "line without end"
-                                          : "binary file");
-}
-
+// How much of a line that is too long has been read depends on the
+// threads; what is said of it does not.
 bool next_line(struct lines *lines)
 {
     while (!take_line(lines)) {
-        insist_on_text(lines);
+        const size_t all = line_length(lines);
+        const size_t length = MIN(all, LONGEST_LINE - 1);
+        if (length > 0)
+            fail("%s:%zu: expected text, found a %s",
+                 lines->stream->name, lines->number + 1,
+                 is_text(lines->next, length) ? "line without end"
+                                              : "binary file");
         if (!read_text(lines))
             return false;
     }

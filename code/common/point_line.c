@@ -32,7 +32,10 @@ static struct found find_numbers(const char *line,
             continue;
         end = read_number(field, format->separator, number);
         found.bad |= !end;
-        found.vanished |= end && has_vanished(field, *number);
+        if (end && *number == 0) { // but not 0 as written?
+            const char first = field[strspn(field, "+-0.")];
+            found.vanished |= '1' <= first && first <= '9';
+        }
         end = end ? end : field;
     }
     found.bad |= found.fields < c.x || found.fields < c.y;

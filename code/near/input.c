@@ -13,27 +13,23 @@
 #include <sys/sysinfo.h>
 #endif
 // A system that promises more than it has would end us without a word.
-static double memory_there(void)
+static void insist_on_memory(uint32_t n, unsigned answers)
 {
+    double there = INFINITY;
 #ifdef __linux__
     struct sysinfo system;
     if (sysinfo(&system) == 0)
-        return ((double)system.totalram + system.totalswap) *
-               system.mem_unit;
+        there = ((double)system.totalram + system.totalswap) *
+                system.mem_unit;
 #endif
-    return INFINITY;
-}
-
-static void insist_on_memory(uint32_t n, unsigned answers)
-{
     const double answer = sizeof(uint32_t) + sizeof(double);
     double needed = 2 * sizeof(double) * (double)n;
     needed += (answers & NEAREST ? answer : 0) * n;
     needed += (answers & FURTHEST ? answer : 0) * n;
-    if (needed > memory_there())
+    if (needed > there)
         fail("%" PRIu32 " points and their answers take %.0f GB, and "
              "this machine has %.0f",
-             n, needed / 1e9, memory_there() / 1e9);
+             n, needed / 1e9, there / 1e9);
 }
 // A line of a table with a point has four characters at least. What is
 // no file, such as a pipe, is read by one thread.

@@ -40,24 +40,19 @@ struct plan {
     const char *by[2];    // what it was called
 };
 
-static void plan_for(struct plan *plan,
-                     const struct algorithm *algorithm)
-{
-    if (!algorithm || (plan->count && plan->algorithms[0] == algorithm))
-        return;
-    plan->algorithms[plan->count++] = algorithm;
-    plan->answers |= algorithm->answers;
-}
-
 static struct plan make_plan(const struct options *options)
 {
+    static const enum answer kinds[] = {NEAREST, FURTHEST};
     struct plan plan = {0};
-    enum geometry geometry = options->geometry;
-    if (options->algorithm) {
-        plan_for(&plan, options->algorithm);
-    } else {
-        plan_for(&plan, fastest_algorithm(geometry, NEAREST));
-        plan_for(&plan, fastest_algorithm(geometry, FURTHEST));
+    for (int k = 0; k < 2; k++) {
+        const struct algorithm *algorithm =
+            options->algorithm
+                ? options->algorithm
+                : fastest_algorithm(options->geometry, kinds[k]);
+        if (algorithm && algorithm != plan.algorithms[0]) {
+            plan.algorithms[plan.count++] = algorithm;
+            plan.answers |= algorithm->answers;
+        }
     }
     return plan;
 }
