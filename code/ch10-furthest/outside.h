@@ -154,23 +154,6 @@ INLINED const double *far_end2(const struct ends *ends)
 }
 //<
 
-//> Lay out all rows
-// With wraparound the ring, cut open before the first of the queries.
-// They are in one row, and in a row anywhere, but in order.
-INLINED struct arc lay_out_rows(const enum geometry geometry,
-                                const uint32_t lanes,
-                                const struct rows *rows,
-                                struct axis_bounds *bounds)
-{
-    if (geometry == STANDARD)
-        return arc_from(0, rows->count, 0, 0);
-    bound_seam(geometry, lanes, rows->row[0],
-               rows->row[rows->count - 1], bounds);
-    uint32_t own = axis_cell(bounds->axis, bounds->x[0]);
-    return arc_from(0, rows->count, rows->place[own], 1);
-}
-//<
-
 //> Lay out a row
 INLINED struct arc lay_out_row(const enum geometry geometry,
                                const uint32_t lanes,
@@ -228,12 +211,23 @@ INLINED void search_from_outside(const enum geometry geometry,
                                  struct far_batch *batch)
 {
     const struct grid *grid = &scene->sorted->grid;
-    const uint32_t *row = scene->rows->row;
+    const struct rows *rows = scene->rows;
+    const uint32_t *row = rows->row;
     double far2[FAR_BATCH];
     max_separations2(geometry, lanes, &grid->x, batch->x, far2);
     struct axis_bounds bounds = {&grid->y, batch->y, far2, {0}};
-    struct arc arc =
-        lay_out_rows(geometry, lanes, scene->rows, &bounds);
+    //> Lay out all rows
+    // With wraparound the ring, cut open before the first of the
+    // queries. They are in one row, and in a row anywhere, but in
+    // order.
+    struct arc arc = arc_from(0, rows->count, 0, 0);
+    if (geometry == WRAPAROUND) {
+        const uint32_t own = axis_cell(&grid->y, batch->y[0]);
+        bound_seam(geometry, lanes, row[0], row[rows->count - 1],
+                   &bounds);
+        arc = arc_from(0, rows->count, rows->place[own], 1);
+    }
+    //<
     while (arc.left > 0) {
         struct ends ends;
         ends.one = row[arc.first], ends.other = row[arc.last];

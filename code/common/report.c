@@ -1,7 +1,6 @@
 // Linux tells its machine in files, under /proc and /sys;
 // what cannot be found out is called unknown.
 #include "common/report.h"
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -39,8 +38,7 @@ static void processor(char name[static 160])
                  family, model);
 }
 
-// What a file of one line says about a cache of the first processor.
-static bool cache_says(int k, const char *what, char word[static 16])
+bool cache_says(int k, const char *what, char word[static 16])
 {
     char path[80];
     snprintf(path, sizeof path,

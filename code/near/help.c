@@ -177,8 +177,8 @@ static const char *const manual[] = {
     "                active: threads that wait for each other keep",
     "                their processors busy; a little faster where",
     "                no other work is going on (default: passive;",
-    "                they look for work for a tenth of a millisecond",
-    "                or so, by GOMP_SPINCOUNT, and then sleep)",
+    "                they look for work GOMP_SPINCOUNT times, 1000",
+    "                or some 25 microseconds, and then sleep)",
 
     "",
     "EXIT STATUS",

@@ -13,7 +13,7 @@ void let_waiting_threads_sleep(char **argv)
     if (getenv("OMP_WAIT_POLICY"))
         return;
     setenv("OMP_WAIT_POLICY", "passive", 1);
-    setenv("GOMP_SPINCOUNT", "10000", 0); // a tenth of a millisecond
+    setenv("GOMP_SPINCOUNT", "1000", 0); // some 25 microseconds
     execv("/proc/self/exe", argv); // it only returns where it fails
 }
 

@@ -1,6 +1,7 @@
 // Files as people have them, good and bad.
 #include "reader.h"
 #include "common/fail.h"
+#include "common/lines.h"
 #include "common/read_points.h"
 #include "harness.h"
 #include <math.h>
@@ -226,6 +227,21 @@ void bad_tables_are_refused(void)
         {"a,1,2\n", {1, 2}, "1: expected numbers in the two columns"},
     };
     check_refusals(bad, COUNT_OF(bad));
+
+    for (size_t length = LONGEST_LINE - 2; length < LONGEST_LINE;
+         length++) { // of the first line, with its end
+        char *text = memset(allocate(length + 5, 1), 'x', length);
+        memcpy(text, "1 2 #", 5);
+        strcpy(text + length - 1, "\n3 4\n");
+        struct file file = make_file(text, strlen(text));
+        if (length == LONGEST_LINE - 2)
+            read_it(&file);
+        else
+            CHECK_FAILS(":1: expected text, found a line without end",
+                        read_it, &file, "%zu bytes", length);
+        unlink(file.name);
+        free(text);
+    }
 
     struct file zeros = make_file("1 2\n\0\0\0\n", 8);
     CHECK_FAILS(":2: expected text, found a binary file", read_it,

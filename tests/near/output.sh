@@ -75,19 +75,28 @@ says 'is still one' target "$(readlink link)"
 cmp -s answers.tsv target && ok 'and its target has the answers' ||
     not_ok 'and its target has the answers' "$(head -n 3 target)"
 
-# A run that is interrupted takes its half-written file along.
+# A run that is interrupted, or cannot write all, takes its half-written
+# file along, and leaves the old one.
 rm -f ./*
+echo before >answers.tsv
 "$near" -n 4000000 -t 1 -o answers.tsv 2>/dev/null &
 process=$!
 for moment in $(seq 600); do
-    [ -n "$(ls -A)" ] && break
+    ls -A | grep -q partial && break
     sleep 0.1
 done
 says 'a long run begins beside its target' 1 "$(ls -A | grep -c partial)"
 kill -TERM $process
 wait $process 2>/dev/null
 says 'ends by the signal' 143 $?
-says 'and leaves nothing behind' '' "$(ls -A)"
+says 'and leaves the old file alone' 'answers.tsv before' \
+    "$(ls -A) $(cat answers.tsv)"
+(ulimit -f 8 && "$near" -n 5000 -o answers.tsv 2>"$err")
+says 'a file too large' \
+    '2 near: cannot write answers.tsv: File too large' "$? $(cat "$err")"
+says 'leaves the old one alone, too' 'answers.tsv before' \
+    "$(ls -A) $(cat answers.tsv)"
+rm answers.tsv
 
 # Squares that are out of range: an answer all the same, and a warning.
 warns() {

@@ -10,7 +10,13 @@
 #include "common/experiment.h"
 
 enum { BYTES_READ = 24, LOTS = 1000000, MOST_SETS = 1000 };
-enum { ONE, TWO, COMING, ORDERED, COLUMNS }; // the last two: ns a point
+enum {
+    ONE,
+    TWO,
+    UNORDERED,
+    ORDERED,
+    COLUMNS
+}; // the last two: ns a point
 
 static void try_set(uint32_t n, int set,
                     double found[COLUMNS][MOST_SETS])
@@ -27,7 +33,7 @@ static void try_set(uint32_t n, int set,
     search_spiral(&question, &grid, &cells, NULL, answers);
     int64_t middle = clock_ns();
     search_spiral(&question, &grid, &cells, cells.point, answers);
-    found[COMING][set] = (double)(middle - begin) / n;
+    found[UNORDERED][set] = (double)(middle - begin) / n;
     found[ORDERED][set] = (double)(clock_ns() - middle) / n;
     cells_free(&cells);
     grid_free(&grid);
@@ -56,8 +62,9 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", LOTS, 1000, MANY);
     int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
-    columns(&e, "name n sets one:5 two:5 unordered:5 ordered:5 l2_points"
-                " l3_points");
+    columns(&e,
+            "name n sets one:5 two:5 unordered:5 ordered:5 l2_points"
+            " l3_points");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         print_size(n, n > LOTS && sets > 3 ? 3 : sets);
 }
