@@ -524,6 +524,24 @@ static void a_far_point(void)
     answers_free(&answers);
 }
 
+// In a grid of four by four cells, the block of point 1 ends where
+// point 0 stands, which is as near as point 2, in the block: a tie that
+// only the next block shows.
+static void a_tie_on_the_border(void)
+{
+    double x[] = {1.5, 1.5, 0, 4, 4}, y[] = {2, 0.5, 0.5, 0, 4};
+    struct question question = {{5, x, y}, {STANDARD, 0, 0}, 1};
+    struct answers answers = answers_allocate(5);
+    struct sorted sorted = sorted_make(&question, 5 / 16.0);
+    CHECK_INT(16, (long long)grid_cells(&sorted.grid), "cells");
+    search_sorted(&question, &sorted, &answers);
+    CHECK_INT(0, answers.nearest[1], "point by point");
+    search_batches(&question, &sorted, &answers);
+    CHECK_INT(0, answers.nearest[1], "in batches");
+    sorted_free(&sorted);
+    answers_free(&answers);
+}
+
 // A box of one rounding step round points of the same height, with
 // cells beyond them: a border there is farther away than the box is
 // high, and must not pass for a way around it.
@@ -567,5 +585,5 @@ int main(void)
         TEST(the_test_makes_it_right), TEST(every_search_agrees),
         TEST(counts_are_as_predicted), TEST(counts_of_four),
         TEST(errors_are_as_predicted), TEST(a_far_point),
-        TEST(cells_beyond_the_points));
+        TEST(a_tie_on_the_border), TEST(cells_beyond_the_points));
 }

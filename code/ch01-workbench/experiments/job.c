@@ -3,19 +3,13 @@
 // one thread and by all, as text and as arrays of NumPy's. A trial
 // makes anew what it needs, as in a job that is done once. job-plain.c
 // has numbers read and written by the C library.
-#include "algorithms.h"
 #include "common/experiment.h"
-#include "common/fail.h"
 #include "common/numbers.h"
 #include "common/read_points.h"
 #include "near/table.h"
 #include "near/write.h"
 #include <errno.h>
 #include <inttypes.h>
-#include <omp.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #ifndef WAY
