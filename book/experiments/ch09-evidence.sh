@@ -54,9 +54,9 @@ table() {
     printf 'name\tinstructions\tbranches\tmispredicted\n'
     one counted_spans by_spans 3 &&
         one counted_vectors by_vectors 5 &&
-        one counted_pruned by_skipping 3 &&
+        one counted_pruned by_pruning 3 &&
         one counted_four by_four 3 &&
-        one counted_batches by_sifting 3 && parts
+        one counted_batches by_filter 3 && parts
 }
 table >"$folder/table" || committed "valgrind does not run here"
 cat "$folder/table"

@@ -61,7 +61,7 @@ static void search_with(struct phases *p, const uint32_t *place)
     workspace_release(p->workspace, mark);
 }
 
-static void search_straight(void *context)
+static void search_by_batches(void *context)
 {
     struct phases *p = context;
     search_with(p, p->partition.sorted.cells.point);
@@ -122,8 +122,8 @@ static const struct {
 } phases[] = {{"fit", fit},
               {"copied", sort_and_copy},
               {"partitioned", fit_and_partition},
-              {"short_turns", search_straight},
-              {"turns", search_by_chunks},
+              {"by_batch", search_by_batches},
+              {"by_chunk", search_by_chunks},
               {"search", search},
               {"in_place", search_in_place},
               {"all", all},

@@ -82,7 +82,7 @@ static void by_vectors(void *context)
     query_each(context, query_all_rows, span_kernels());
 }
 
-static void by_skipping(void *context)
+static void by_pruning(void *context)
 {
     query_each(context, nearest_query, span_kernels());
 }
@@ -93,7 +93,7 @@ static void by_four(void *context)
     search_batches(&s->question, &s->two.sorted, s->answers);
 }
 
-static void by_sifting(void *context)
+static void by_filter(void *context)
 {
     struct steps *s = context;
     search_row_spans(&s->question, &s->two, &s->workspace, s->answers);
@@ -116,9 +116,9 @@ static const struct {
              {"sorted", by_sorted, by_vectors},
              {"spans", by_spans, by_spans},
              {"vectors", by_vectors, by_vectors},
-             {"skipping", by_skipping, by_skipping},
+             {"pruned", by_pruning, by_pruning},
              {"four", by_four, by_four},
-             {"sifted", by_sifting, by_sifting},
+             {"filtered", by_filter, by_filter},
              {"fewer", by_fewer, by_fewer}};
 enum { STEPS = COUNT_OF(steps) };
 
