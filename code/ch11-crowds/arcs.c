@@ -11,6 +11,7 @@
 #include <string.h>
 
 //> Put the corners in a round
+//> Measure a bearing
 // By an angle that needs no arc tangent.
 struct bearing {
     double angle;
@@ -22,6 +23,7 @@ static double bearing_of(double dx, double dy)
     const double sum = fabs(dx) + fabs(dy);
     return sum > 0 ? copysign(1 - dx / sum, dy) : 0; // -2 to 2
 }
+//<
 
 static int by_angle(const void *one, const void *other)
 {
@@ -43,6 +45,7 @@ static struct box box_around(struct points p)
     return box;
 }
 
+//> Sort the corners by bearing
 // As many buckets as corners, mostly with one each; where they crowd, a
 // bucket is sorted.
 static void sort_by_angle(struct bearing *bearing, uint32_t n,
@@ -61,6 +64,7 @@ static void sort_by_angle(struct bearing *bearing, uint32_t n,
             qsort(sorted + begin, end[b] - begin, sizeof *sorted,
                   by_angle);
 }
+//<
 
 static void go_round(const struct corners *corners,
                      const struct box *box, struct arcs *arcs,

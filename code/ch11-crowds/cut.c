@@ -119,6 +119,7 @@ static uint32_t part(const double *value, uint32_t *list, uint32_t n,
 }
 //<
 
+//> Cut a list near its median
 uint32_t cut_list(const struct point_record *record, uint32_t *list,
                   uint32_t n, const struct box *box,
                   struct cut_room room, struct cut *cut)
@@ -133,4 +134,5 @@ uint32_t cut_list(const struct point_record *record, uint32_t *list,
         value[k] = coordinate(&record[list[k]], cut->by_y);
     return part(value, list, n, cut->at, room.numbers);
 }
+//<
 //<
