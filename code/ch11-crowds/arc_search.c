@@ -51,6 +51,7 @@ static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
 //<
 
 //> Search an arc and those below it
+//> Hold an arc that waits
 struct waiting_arc {
     double bound;
     uint32_t arc;
@@ -72,6 +73,7 @@ static inline bool may_be_further(const struct arcs *arcs,
            (arc.bound == query->max2 &&
             arcs->arc[arc.arc].lowest < query->furthest);
 }
+//<
 
 static void search_arc(const struct arcs *arcs, uint32_t k,
                        struct arc_query *query)

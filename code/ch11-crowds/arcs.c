@@ -120,6 +120,7 @@ static void center_of(struct points p, double diameter, double *x,
 //<
 
 //> Describe an arc
+//> Direct an arc
 static void direct(struct points p, struct arc *arc)
 {
     const double dx = p.x[p.n - 1] - p.x[0];
@@ -128,6 +129,7 @@ static void direct(struct points p, struct arc *arc)
     arc->tx = length > 0 ? dx / length : 1;
     arc->ty = length > 0 ? dy / length : 0;
 }
+//<
 
 static struct arc describe(struct points p, const uint32_t *point,
                            double diameter)

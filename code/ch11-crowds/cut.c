@@ -78,7 +78,8 @@ static uint32_t cut_near(const double *value, uint32_t n, double middle,
     return here ? below : up_to;
 }
 
-// The median of a few is nearly always near enough to that of all.
+//> Try the median of a few
+// It is nearly always near enough to that of all.
 enum { FEW = 64 };
 
 static double place_of_cut(double *value, uint32_t n)
@@ -93,6 +94,7 @@ static double place_of_cut(double *value, uint32_t n)
         cut_near(value, n, median(value, n), &at);
     return at;
 }
+//<
 //<
 
 //> Part the list

@@ -25,7 +25,7 @@ static struct point_record *draw(struct points points, uint32_t count,
 //<
 
 //> Cut the sample
-// The regions of the two sides of a cut.
+//> Take a side of a region
 static struct box side_of(struct box region, struct cut cut,
                           bool second)
 {
@@ -34,6 +34,7 @@ static struct box side_of(struct box region, struct cut cut,
     *edge = cut.at;
     return region;
 }
+//<
 
 struct cutting {
     const struct point_record *sample;

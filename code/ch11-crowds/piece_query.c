@@ -127,6 +127,7 @@ INLINED bool query_pieces(const enum geometry geometry,
     return query->steps <= query->most;
 }
 
+//> Search near or far, with a copy for each geometry
 bool query_nearest(struct piece_query *query)
 {
     return query->all->space.geometry == STANDARD
@@ -140,5 +141,6 @@ bool query_furthest(struct piece_query *query)
                ? query_pieces(STANDARD, true, query)
                : query_pieces(WRAPAROUND, true, query);
 }
+//<
 //<
 //<

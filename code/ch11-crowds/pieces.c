@@ -60,6 +60,7 @@ static void send_chunk(const struct sending *sending, int k)
     }
 }
 
+//> Send all chunks
 static void send_all(const struct sending *sending)
 {
 #pragma omp parallel for num_threads(sending->chunks)
@@ -71,6 +72,7 @@ static void send_all(const struct sending *sending)
     for (int k = 0; k < sending->chunks; k++)
         send_chunk(sending, k);
 }
+//<
 //<
 
 //> Let all leaves grow
@@ -94,6 +96,7 @@ static void grow_all(const struct sending *sending,
 
 //> Join the boxes
 // Of the nodes above the leaves, from below.
+//> Join two boxes
 static void join(struct pieces *pieces, uint32_t k, uint32_t child,
                  uint32_t sibling)
 {
@@ -108,6 +111,7 @@ static void join(struct pieces *pieces, uint32_t k, uint32_t child,
                                     sibling,
                                     0};
 }
+//<
 
 static uint32_t node_of(const struct pieces *pieces, uint32_t k)
 {
