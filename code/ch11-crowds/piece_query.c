@@ -78,10 +78,12 @@ static bool take_vanishing(const struct node *node, struct query *query)
 //<
 
 //> Search down the tree of boxes
+//> Hold a box that waits
 struct waiting {
     double bound;
     uint32_t node;
 };
+//<
 
 // Of a list, an eighth is cut off at least, or all but what is equal.
 enum { DEEPEST = 512 };

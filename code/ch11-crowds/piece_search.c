@@ -27,8 +27,9 @@ struct piece_scene {
 //<
 
 //> Bound the distance from other pieces
-// Along an axis, they begin where the region ends. With wraparound what
-// is beyond the seam is at least so far away; without, the period is
+//> Bound it along an axis
+// Other pieces begin where the region ends. With wraparound what is
+// beyond the seam is at least so far away; without, the period is
 // INFINITY.
 static inline double margin_of(double x, double low, double high,
                                double first, double last, double period)
@@ -37,6 +38,7 @@ static inline double margin_of(double x, double low, double high,
     const double around = period - MAX(x - first, last - x);
     return MIN(direct, around);
 }
+//<
 
 static inline double piece_margin(const struct piece_scene *scene,
                                   double x, double y)
