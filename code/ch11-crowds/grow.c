@@ -11,9 +11,9 @@
 //> Hold a leaf that grows
 struct growing {
     const struct growth *growth;
-    uint32_t first_piece; // of the leaf, and what it has used up
-    uint32_t pieces, slots;
-    uint32_t next_node;
+    uint32_t first_piece, pieces; // of the leaf; how many so far
+    uint32_t slots;               // how many more cuts it may make
+    uint32_t next_node;           // that it may use
 };
 
 struct part {

@@ -13,11 +13,13 @@ struct growth {
 };
 //<
 
+//> Set when to cut
 // A leaf is cut again if its points share their cells with more than so
 // many on average, themselves included, and if it has more points than
 // is worth while to cut.
 static const double CROWDED = 8;
 enum { FEWEST_TO_CUT = 96, POINTS_PER_SLOT = 32 };
+//<
 
 // Room for the pieces of n points: no leaf becomes more than this.
 static inline uint32_t piece_slots(uint32_t n)
