@@ -4,48 +4,15 @@
 // inside of both, by more than distances are rounded, is left out: no
 // exact predicate decides. n log n steps, n the points left over.
 #include "ch10-furthest/hull.h"
+#include "ch10-furthest/candidates.h"
 #include "ch10-furthest/octagon.h"
+#include "ch10-furthest/sort_keys.h"
 #include "common/min_max.h"
 #include <stdbool.h>
-#include <stdlib.h>
 
 //> Allow for a miss
 // Of a mean that is computed, as a share of the diagonal.
 static const double MISS = 0x1p-48;
-//<
-
-//> Hold a candidate for a corner
-struct candidate {
-    double x, y;
-    uint32_t point;
-};
-//<
-
-//> Order two candidates
-// From left to right, of the same x from below.
-static int from_left(const void *one, const void *other)
-{
-    const struct candidate *a = one, *b = other;
-    if (a->x != b->x)
-        return a->x < b->x ? -1 : 1;
-    if (a->y != b->y)
-        return a->y < b->y ? -1 : 1;
-    return (a->point > b->point) - (a->point < b->point);
-}
-//<
-
-//> Sort the candidates
-// Of several in the same place the one of the lowest index stays.
-static uint32_t sort_candidates(struct candidate *candidate, uint32_t n)
-{
-    uint32_t count = 1;
-    qsort(candidate, n, sizeof *candidate, from_left);
-    for (uint32_t k = 1; k < n; k++)
-        if (candidate[k].x != candidate[count - 1].x ||
-            candidate[k].y != candidate[count - 1].y)
-            candidate[count++] = candidate[k];
-    return count;
-}
 //<
 
 //> Say which way three points turn
@@ -144,24 +111,38 @@ static uint32_t leave_out(struct candidate *candidate, uint32_t n,
 //<
 
 //> Put the corners in the order of the points
-static int by_index(const void *one, const void *other)
-{
-    const struct candidate *a = one, *b = other;
-    return (a->point > b->point) - (a->point < b->point);
-}
-
-static struct corners corners_from(struct candidate *candidate,
+static struct corners corners_from(const struct candidate *candidate,
                                    uint32_t n,
                                    struct workspace *workspace)
 {
     struct corners corners = corners_take(n, workspace);
-    qsort(candidate, n, sizeof *candidate, by_index);
     for (uint32_t k = 0; k < n; k++) {
         corners.points.x[k] = candidate[k].x;
         corners.points.y[k] = candidate[k].y;
         corners.point[k] = candidate[k].point;
     }
     return corners;
+}
+
+struct corners corners_by_index(struct corners corners,
+                                struct workspace *workspace)
+{
+    const uint32_t n = corners.points.n;
+    struct corners ordered = corners_take(n, workspace);
+    struct mark mark = workspace_mark(workspace);
+    struct keyed *key = workspace_take(workspace, n, sizeof *key);
+    struct keyed *sorted = workspace_take(workspace, n, sizeof *sorted);
+    for (uint32_t k = 0; k < n; k++)
+        key[k] = (struct keyed){corners.point[k], k};
+    sort_keys(key, n, sorted, workspace);
+    for (uint32_t k = 0; k < n; k++) {
+        const uint32_t from = sorted[k].number;
+        ordered.points.x[k] = corners.points.x[from];
+        ordered.points.y[k] = corners.points.y[from];
+        ordered.point[k] = corners.point[from];
+    }
+    workspace_release(workspace, mark);
+    return ordered;
 }
 //<
 
@@ -177,8 +158,8 @@ struct corners corners_take(uint32_t n, struct workspace *workspace)
 // If all squared distances vanish, the furthest of every point is the
 // first, and of the first the second: search_corners begins with that,
 // and one corner is enough.
-struct corners corners_among(struct corners among, int threads,
-                             struct workspace *workspace)
+struct corners corners_from_left(struct corners among, int threads,
+                                 struct workspace *workspace)
 {
     const struct points p = among.points;
     const struct sides sides = octagon_sides(p, threads);
@@ -202,7 +183,7 @@ struct corners corners_among(struct corners among, int threads,
             workspace_take(workspace, count, sizeof *lower);
         struct candidate *upper =
             workspace_take(workspace, count, sizeof *upper);
-        count = sort_candidates(candidate, count);
+        count = sort_candidates(candidate, count, workspace);
         monotone_chain(candidate, count, 1, lower);
         monotone_chain(candidate, count, -1, upper);
         count = leave_out(candidate, count, lower, upper, diagonal2);
@@ -212,6 +193,13 @@ struct corners corners_among(struct corners among, int threads,
     return corners_from(candidate, count, workspace);
 }
 //<
+
+struct corners corners_among(struct corners points, int threads,
+                             struct workspace *workspace)
+{
+    return corners_by_index(
+        corners_from_left(points, threads, workspace), workspace);
+}
 
 struct corners corners_find(const struct question *question,
                             struct workspace *workspace)

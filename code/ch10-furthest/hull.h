@@ -43,6 +43,12 @@ struct corners corners_find(const struct question *question,
 struct corners corners_among(struct corners points, int threads,
                              struct workspace *workspace);
 
+// The same from left to right, and not by index; and then by index.
+struct corners corners_from_left(struct corners points, int threads,
+                                 struct workspace *workspace);
+struct corners corners_by_index(struct corners corners,
+                                struct workspace *workspace);
+
 // Room for n corners, or points among which to look for them.
 struct corners corners_take(uint32_t n, struct workspace *workspace);
 //<

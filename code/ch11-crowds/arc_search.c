@@ -5,112 +5,218 @@
 // circle, and the third is at most what the arc's turned box allows.
 #include "ch11-crowds/arcs.h"
 #include "common/min_max.h"
-#include <stdbool.h>
+#include <math.h>
 
-//> Bound an arc
-// The less of two bounds: that of its box, and that of its bend.
-static double arc_bound(const struct arc *arc, double x, double y)
+//> Bound the arcs of a fan
+// Each by the less of two bounds: that of its box, and that of its
+// bend.
+static inline double most_of(double factor, double low, double high)
 {
-    const double gx = arc->ox - x, gy = arc->oy - y;
-    const double along = gx * arc->tx + gy * arc->ty;
-    const double beside = gy * arc->tx - gx * arc->ty;
-    const double bent2 =
-        distance2(gx, gy) + arc->max2 +
-        2 * (MAX(along * arc->along[0], along * arc->along[1]) +
-             MAX(beside * arc->beside[0], beside * arc->beside[1])) +
-        arc->margin;
-    const double box2 =
-        distance2(MAX(x - arc->box.left, arc->box.right - x),
-                  MAX(y - arc->box.bottom, arc->box.top - y));
-    return MIN(bent2, box2);
+    return MAX(factor * low, factor * high);
+}
+
+static void bound_arcs(const struct fan *fan, double x, double y,
+                       double bound[FAN])
+{
+    for (int k = 0; k < FAN; k++) {
+        const double gx = fan->ox[k] - x, gy = fan->oy[k] - y;
+        const double along = gx * fan->tx[k] + gy * fan->ty[k];
+        const double beside = gy * fan->tx[k] - gx * fan->ty[k];
+        const double bent2 =
+            distance2(gx, gy) + fan->max2[k] +
+            2 * (most_of(along, fan->along[0][k], fan->along[1][k]) +
+                 most_of(beside, fan->beside[0][k], fan->beside[1][k]));
+        const double box2 =
+            distance2(MAX(x - fan->left[k], fan->right[k] - x),
+                      MAX(y - fan->bottom[k], fan->top[k] - y));
+        bound[k] = MIN(bent2, box2);
+    }
+}
+//<
+
+//> Choose among eight
+// Those that are no less than something, as bits; and the best of some.
+static inline uint32_t no_less(const double value[FAN], double least)
+{
+    uint32_t set = 0;
+    for (int k = 0; k < FAN; k++)
+        set |= (uint32_t)(value[k] >= least) << k;
+    return set;
+}
+
+static inline int best_of(const double bound[FAN], uint32_t open)
+{
+    int best = __builtin_ctz(open);
+    for (open &= open - 1; open; open &= open - 1) {
+        const int k = __builtin_ctz(open);
+        best = bound[k] > bound[best] ? k : best;
+    }
+    return best;
 }
 //<
 
 //> Compare with the corners of an arc
-static void compare_corner(const struct arcs *arcs, uint32_t k,
-                           struct arc_query *query)
+// All eight, then those that are as far as the furthest of them.
+static inline double greatest(const double v[PER_ARC])
 {
-    const double far2 = distance2(arcs->points.x[k] - query->x,
-                                  arcs->points.y[k] - query->y);
-    if (far2 > query->max2 ||
-        (far2 == query->max2 && arcs->point[k] < query->furthest)) {
-        query->max2 = far2;
-        query->furthest = arcs->point[k];
-        query->corner = k;
-    }
-    query->compared++;
+    return MAX(MAX(MAX(v[0], v[1]), MAX(v[2], v[3])),
+               MAX(MAX(v[4], v[5]), MAX(v[6], v[7])));
 }
 
 static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
                          struct arc_query *query)
 {
-    const uint32_t from = leaf * PER_ARC, n = arcs->points.n;
-    for (uint32_t k = from; k < n && k < from + PER_ARC; k++)
-        compare_corner(arcs, k, query);
+    const uint32_t from = leaf * PER_ARC;
+    double far2[PER_ARC];
+    for (int k = 0; k < PER_ARC; k++)
+        far2[k] = distance2(arcs->points.x[from + k] - query->x,
+                            arcs->points.y[from + k] - query->y);
+    const double max2 = greatest(far2);
+    query->compared += MIN(PER_ARC, arcs->points.n - from);
+    if (max2 < query->max2)
+        return;
+    for (uint32_t set = no_less(far2, max2); set; set &= set - 1) {
+        const uint32_t k = from + (uint32_t)__builtin_ctz(set);
+        if (max2 > query->max2 || arcs->point[k] < query->furthest) {
+            query->max2 = max2;
+            query->furthest = arcs->point[k];
+            query->corner = MIN(k, arcs->points.n - 1);
+        }
+    }
 }
 //<
 
-//> Search an arc and those below it
-//> Hold an arc that waits
-struct waiting_arc {
-    double bound;
-    uint32_t arc;
-};
-
-static inline struct waiting_arc wait_for(const struct arcs *arcs,
-                                          uint32_t k,
-                                          const struct arc_query *query)
-{
-    return (struct waiting_arc){
-        arc_bound(&arcs->arc[k], query->x, query->y), k};
-}
-
-static inline bool may_be_further(const struct arcs *arcs,
-                                  struct waiting_arc arc,
-                                  const struct arc_query *query)
-{
-    return arc.bound > query->max2 ||
-           (arc.bound == query->max2 &&
-            arcs->arc[arc.arc].lowest < query->furthest);
-}
-//<
-
-static void search_arc(const struct arcs *arcs, uint32_t k,
+//> Search a fan and those below it
+// Only the arcs in this set; the best first.
+static void search_fan(const struct arcs *arcs, int level,
+                       uint32_t number, uint32_t set,
                        struct arc_query *query)
 {
-    enum { DEEPEST = 40 };
-    struct waiting_arc stack[DEEPEST];
-    int height = 0;
-    stack[height++] = wait_for(arcs, k, query);
-    while (height > 0) {
-        const struct waiting_arc next = stack[--height];
-        if (!may_be_further(arcs, next, query))
+    const struct fan *fan = &arcs->level[level][number];
+    double bound[FAN];
+    bound_arcs(fan, query->x, query->y, bound);
+    for (uint32_t open = set & no_less(bound, query->max2); open;) {
+        const int k = best_of(bound, open);
+        open &= ~(1u << k);
+        if (bound[k] < query->max2 ||
+            (bound[k] == query->max2 &&
+             fan->lowest[k] >= query->furthest))
             continue;
-        if (next.arc >= arcs->leaves - 1) {
-            compare_leaf(arcs, next.arc - (arcs->leaves - 1), query);
-            continue;
-        }
-        const struct waiting_arc a =
-            wait_for(arcs, 2 * next.arc + 1, query);
-        const struct waiting_arc b =
-            wait_for(arcs, 2 * next.arc + 2, query);
-        stack[height++] = a.bound > b.bound ? b : a;
-        stack[height++] = a.bound > b.bound ? a : b;
+        if (level == 0)
+            compare_leaf(arcs, number * FAN + k, query);
+        else
+            search_fan(arcs, level - 1, number * FAN + k, ALL_ARCS,
+                       query);
     }
 }
 //<
 
 //> Climb from arc to arc
-// Each time, the other half of the arc above is searched, until all of
-// the round has been looked at.
+// Each time, the other arcs of the fan are searched, until all of the
+// round has been looked at.
 void arcs_furthest(const struct arcs *arcs, struct arc_query *query)
+{
+    uint32_t arc = query->corner / PER_ARC;
+    query->max2 = -1;
+    query->furthest = NO_INDEX;
+    compare_leaf(arcs, arc, query);
+    for (int level = 0; level < arcs->levels; level++) {
+        search_fan(arcs, level, arc / FAN,
+                   ALL_ARCS & ~(1u << arc % FAN), query);
+        arc /= FAN;
+    }
+}
+//<
+
+//> List the arcs for a box
+// Let c be the middle of the box, r as far as it reaches from there, b
+// the furthest corner of c, and a corner a in some arc. For a query q
+// in the box,
+//     |q - a|^2 - |q - b|^2
+//         = |c - a|^2 - |c - b|^2 + 2 (q - c)(b - a)
+// is at most |c - a|^2 - |c - b|^2 + 2 r |b - a|. If that is negative
+// for the bound of the arc, and by more than rounding can do, b is
+// further than all of the arc, from everywhere in the box.
+struct listing {
+    const struct arcs *arcs;
+    const struct arc_query *middle; // c, and its furthest
+    double x, y, twice_r;           // b, and 2 r
+    struct shortlist *list;
+};
+
+static void add_slack(const struct listing *listing,
+                      const struct fan *fan, double bound[FAN])
+{
+    const double x = listing->x, y = listing->y;
+    const double diameter = listing->arcs->diameter;
+    for (int k = 0; k < FAN; k++) {
+        const double apart2 =
+            distance2(MAX(x - fan->left[k], fan->right[k] - x),
+                      MAX(y - fan->bottom[k], fan->top[k] - y));
+        bound[k] += listing->twice_r * sqrt(apart2) +
+                    0x1p-44 * diameter * diameter;
+    }
+}
+
+static void list_fan(const struct listing *listing, int level,
+                     uint32_t number)
+{
+    const struct fan *fan = &listing->arcs->level[level][number];
+    struct shortlist *list = listing->list;
+    double bound[FAN];
+    bound_arcs(fan, listing->middle->x, listing->middle->y, bound);
+    add_slack(listing, fan, bound);
+    uint32_t open = no_less(bound, listing->middle->max2);
+    if (open == 0 || !list->complete)
+        return;
+    if (level > 0) {
+        for (; open; open &= open - 1)
+            list_fan(listing, level - 1,
+                     number * FAN + (uint32_t)__builtin_ctz(open));
+    } else if (list->count == MOST_LISTED) {
+        list->complete = false;
+    } else {
+        list->fan[list->count] = number;
+        list->set[list->count++] = open;
+    }
+}
+
+void arcs_list(const struct arcs *arcs, const struct box *box,
+               struct arc_query *query, struct shortlist *list)
+{
+    query->x = box->left + (box->right - box->left) / 2;
+    query->y = box->bottom + (box->top - box->bottom) / 2;
+    arcs_furthest(arcs, query);
+    const double r = sqrt(
+        distance2(MAX(query->x - box->left, box->right - query->x),
+                  MAX(query->y - box->bottom, box->top - query->y)));
+    const struct listing listing = {arcs,
+                                    query,
+                                    arcs->points.x[query->corner],
+                                    arcs->points.y[query->corner],
+                                    2 * r * (1 + 0x1p-40),
+                                    list};
+    list->complete = true;
+    list->count = 0;
+    list_fan(&listing, arcs->levels - 1, 0);
+}
+//<
+
+//> Search a shortlist
+void arcs_furthest_listed(const struct arcs *arcs,
+                          const struct shortlist *list,
+                          struct arc_query *query)
 {
     const uint32_t leaf = query->corner / PER_ARC;
     query->max2 = -1;
     query->furthest = NO_INDEX;
     compare_leaf(arcs, leaf, query);
-    for (uint32_t k = leaf + arcs->leaves - 1; k > 0; k = (k - 1) / 2)
-        search_arc(arcs, k % 2 ? k + 1 : k - 1, query);
+    for (int k = 0; k < list->count; k++) {
+        const bool again = list->fan[k] == leaf / FAN;
+        search_fan(arcs, 0, list->fan[k],
+                   list->set[k] & ~((uint32_t)again << leaf % FAN),
+                   query);
+    }
 }
 //<
 //<

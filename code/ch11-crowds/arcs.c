@@ -1,23 +1,17 @@
 //> Make the tree of arcs
-// Sort the corners by angle, in buckets; then describe every arc: where
-// the center of its circle is, and what box it fits in, seen from there
-// and turned to lie along it. h log h steps for h corners.
+// Sort the corners by angle; then describe every arc: where the center
+// of its circle is, and what box it fits in, seen from there and turned
+// to lie along it. h log h steps for h corners.
 #include "ch11-crowds/arcs.h"
-#include "ch04-cell-sort/cells.h"
+#include "ch04-cell-sort/grid.h"
+#include "ch10-furthest/sort_keys.h"
 #include "common/min_max.h"
 #include <math.h>
-#include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
 //> Put the corners in a round
 //> Measure a bearing
 // By an angle that needs no arc tangent.
-struct bearing {
-    double angle;
-    uint32_t corner;
-};
-
 static double bearing_of(double dx, double dy)
 {
     const double sum = fabs(dx) + fabs(dy);
@@ -25,15 +19,7 @@ static double bearing_of(double dx, double dy)
 }
 //<
 
-static int by_angle(const void *one, const void *other)
-{
-    const struct bearing *a = one, *b = other;
-    if (a->angle != b->angle)
-        return a->angle < b->angle ? -1 : 1;
-    return (a->corner > b->corner) - (a->corner < b->corner);
-}
-
-static struct box box_around(struct points p)
+struct box box_around(struct points p)
 {
     struct box box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (uint32_t k = 0; k < p.n; k++) {
@@ -45,27 +31,6 @@ static struct box box_around(struct points p)
     return box;
 }
 
-//> Sort the corners by bearing
-// As many buckets as corners, mostly with one each; where they crowd, a
-// bucket is sorted.
-static void sort_by_angle(struct bearing *bearing, uint32_t n,
-                          struct bearing *sorted, uint32_t *end)
-{
-    const double scale = n / 4.0;
-    memset(end, 0, (n + 1) * sizeof *end);
-    for (uint32_t k = 0; k < n; k++)
-        end[(uint32_t)((bearing[k].angle + 2) * scale)]++;
-    cells_scan(end, n + 1, 0);
-    for (uint32_t k = 0; k < n; k++)
-        sorted[end[(uint32_t)((bearing[k].angle + 2) * scale)]++] =
-            bearing[k];
-    for (uint32_t b = 0, begin = 0; b <= n; begin = end[b++])
-        if (end[b] - begin > 1)
-            qsort(sorted + begin, end[b] - begin, sizeof *sorted,
-                  by_angle);
-}
-//<
-
 static void go_round(const struct corners *corners,
                      const struct box *box, struct arcs *arcs,
                      struct workspace *workspace)
@@ -74,18 +39,16 @@ static void go_round(const struct corners *corners,
     const double x = box->left / 2 + box->right / 2;
     const double y = box->bottom / 2 + box->top / 2;
     struct mark mark = workspace_mark(workspace);
-    struct bearing *bearing =
+    struct keyed *bearing =
         workspace_take(workspace, p.n, sizeof *bearing);
-    struct bearing *sorted =
+    struct keyed *sorted =
         workspace_take(workspace, p.n, sizeof *sorted);
-    uint32_t *end =
-        workspace_take(workspace, (size_t)p.n + 1, sizeof *end);
     for (uint32_t k = 0; k < p.n; k++)
         bearing[k] =
-            (struct bearing){bearing_of(p.x[k] - x, p.y[k] - y), k};
-    sort_by_angle(bearing, p.n, sorted, end);
-    for (uint32_t k = 0; k < p.n; k++) {
-        const uint32_t corner = sorted[k].corner;
+            (struct keyed){bearing_of(p.x[k] - x, p.y[k] - y), k};
+    sort_keys(bearing, p.n, sorted, workspace);
+    for (uint32_t k = 0; k < arcs->room; k++) {
+        const uint32_t corner = sorted[MIN(k, p.n - 1)].number;
         arcs->points.x[k] = p.x[corner];
         arcs->points.y[k] = p.y[corner];
         arcs->point[k] = corners->point[corner];
@@ -121,85 +84,100 @@ static void center_of(struct points p, double diameter, double *x,
 
 //> Describe an arc
 //> Direct an arc
-static void direct(struct points p, struct arc *arc)
+static void direct(struct points p, double *tx, double *ty)
 {
     const double dx = p.x[p.n - 1] - p.x[0];
     const double dy = p.y[p.n - 1] - p.y[0];
     const double length = sqrt(distance2(dx, dy));
-    arc->tx = length > 0 ? dx / length : 1;
-    arc->ty = length > 0 ? dy / length : 0;
+    *tx = length > 0 ? dx / length : 1;
+    *ty = length > 0 ? dy / length : 0;
 }
 //<
 
-static struct arc describe(struct points p, const uint32_t *point,
-                           double diameter)
+// As arc k of a fan. What rounding may do to the bound is added once.
+static void describe(struct points p, double diameter, struct fan *fan,
+                     int k)
 {
-    struct arc arc = {.box = box_around(p),
-                      .along = {INFINITY, -INFINITY},
-                      .beside = {INFINITY, -INFINITY},
-                      .lowest = NO_INDEX};
-    center_of(p, diameter, &arc.ox, &arc.oy);
-    direct(p, &arc);
-    for (uint32_t k = 0; k < p.n; k++) {
-        const double vx = p.x[k] - arc.ox, vy = p.y[k] - arc.oy;
-        const double along = vx * arc.tx + vy * arc.ty;
-        const double beside = vy * arc.tx - vx * arc.ty;
-        arc.along[0] = MIN(along, arc.along[0]);
-        arc.along[1] = MAX(along, arc.along[1]);
-        arc.beside[0] = MIN(beside, arc.beside[0]);
-        arc.beside[1] = MAX(beside, arc.beside[1]);
-        arc.max2 = MAX(distance2(vx, vy), arc.max2);
-        arc.lowest = MIN(point[k], arc.lowest);
+    const struct box box = box_around(p);
+    double ox, oy, tx, ty, max2 = 0;
+    struct extent along = {INFINITY, -INFINITY}, beside = along;
+    center_of(p, diameter, &ox, &oy);
+    direct(p, &tx, &ty);
+    for (uint32_t c = 0; c < p.n; c++) {
+        const double vx = p.x[c] - ox, vy = p.y[c] - oy;
+        const double a = vx * tx + vy * ty, b = vy * tx - vx * ty;
+        along = (struct extent){MIN(a, along.low), MAX(a, along.high)};
+        beside =
+            (struct extent){MIN(b, beside.low), MAX(b, beside.high)};
+        max2 = MAX(distance2(vx, vy), max2);
     }
-    const double most = sqrt(arc.max2) + diameter;
-    arc.margin = most * most * 0x1p-45;
-    return arc;
+    const double most = sqrt(max2) + diameter;
+    fan->left[k] = box.left, fan->right[k] = box.right;
+    fan->bottom[k] = box.bottom, fan->top[k] = box.top;
+    fan->ox[k] = ox, fan->oy[k] = oy;
+    fan->tx[k] = tx, fan->ty[k] = ty;
+    fan->max2[k] = max2 + most * most * 0x1p-45;
+    fan->along[0][k] = along.low, fan->along[1][k] = along.high;
+    fan->beside[0][k] = beside.low, fan->beside[1][k] = beside.high;
 }
 //<
 
-//> Make an arc for every stretch
-// The corners of arc k, which is in this level of the tree.
-static struct points corners_of(const struct arcs *arcs, uint32_t k,
-                                uint32_t *begin)
+//> Make the fans of a level
+// The arcs have so many corners each, but for the last one.
+static void make_level(const struct arcs *arcs, uint64_t width,
+                       struct fan *fan, uint32_t count)
 {
-    uint32_t width = PER_ARC * arcs->leaves, first = 0;
-    while (k - first >= first + 1)
-        first = 2 * first + 1, width /= 2;
-    const uint64_t from = (uint64_t)(k - first) * width;
-    const uint32_t n = arcs->points.n;
-    *begin = MIN(from, n);
-    return (struct points){MIN(n - *begin, width),
-                           arcs->points.x + *begin,
-                           arcs->points.y + *begin};
+    const struct points all = arcs->points;
+    for (uint32_t arc = 0; arc < count * FAN; arc++) {
+        struct fan *of = &fan[arc / FAN];
+        const int k = arc % FAN;
+        const uint32_t begin = MIN(arc * width, all.n);
+        const uint32_t end = MIN((arc + 1) * width, all.n);
+        of->max2[k] = -INFINITY;
+        of->lowest[k] = NO_INDEX;
+        if (begin < end)
+            describe((struct points){end - begin, all.x + begin,
+                                     all.y + begin},
+                     arcs->diameter, of, k);
+        for (uint32_t c = begin; c < end; c++)
+            of->lowest[k] = MIN(arcs->point[c], of->lowest[k]);
+    }
 }
+//<
+
+//> Make all levels
+static void make_levels(struct arcs *arcs, struct workspace *workspace)
+{
+    uint32_t arcs_there = arcs->room / PER_ARC;
+    uint64_t width = PER_ARC;
+    do {
+        const uint32_t fans = (arcs_there - 1) / FAN + 1;
+        struct fan *level =
+            workspace_take(workspace, fans, sizeof *level);
+        memset(level, 0, fans * sizeof *level);
+        make_level(arcs, width, level, fans);
+        arcs->level[arcs->levels++] = level;
+        arcs_there = fans;
+        width *= FAN;
+    } while (arcs_there > 1);
+}
+//<
 
 struct arcs arcs_make(const struct corners *corners,
                       struct workspace *workspace)
 {
     const uint32_t n = corners->points.n;
-    struct arcs arcs = {{n,
-                         workspace_take(workspace, n, sizeof(double)),
-                         workspace_take(workspace, n, sizeof(double))},
-                        workspace_take(workspace, n, sizeof(uint32_t)),
-                        NULL,
-                        1};
-    while ((uint64_t)arcs.leaves * PER_ARC < n)
-        arcs.leaves *= 2;
-    arcs.arc = workspace_take(workspace, 2 * (size_t)arcs.leaves - 1,
-                              sizeof *arcs.arc);
+    const size_t room = ((size_t)n + PER_ARC - 1) / PER_ARC * PER_ARC;
+    struct arcs arcs = {
+        .points = {n, workspace_take(workspace, room, sizeof(double)),
+                   workspace_take(workspace, room, sizeof(double))},
+        .point = workspace_take(workspace, room, sizeof(uint32_t)),
+        .room = room};
     const struct box box = box_around(corners->points);
-    const double diameter =
+    arcs.diameter =
         sqrt(distance2(box.right - box.left, box.top - box.bottom));
     go_round(corners, &box, &arcs, workspace);
-    for (uint32_t k = 0; k < 2 * arcs.leaves - 1; k++) {
-        uint32_t begin;
-        const struct points p = corners_of(&arcs, k, &begin);
-        if (p.n > 0)
-            arcs.arc[k] = describe(p, arcs.point + begin, diameter);
-        else
-            arcs.arc[k] = (struct arc){.max2 = -INFINITY};
-    }
+    make_levels(&arcs, workspace);
     return arcs;
 }
-//<
 //<

@@ -1,35 +1,44 @@
 //> Declare the arcs
-// The furthest of many corners: they stand in a round, so halves of the
-// round, quarters and so on are arcs, and a tree over them is searched
-// down from the whole, into no arc whose bound is less than the
+// The furthest of many corners: they stand in a round, so stretches of
+// the round are arcs, eight of them are one longer arc, and a tree of
+// such fans is searched, into no arc whose bound is less than the
 // furthest so far. The bound of an arc knows how it is bent, so that of
 // arcs along a circle few are entered, wherever the query is.
 #pragma once
 #include "ch10-furthest/hull.h"
 #include "ch11-crowds/cut.h"
 #include "common/workspace.h"
+#include <stdbool.h>
 
-//> Hold an arc
-// Seen from o, every corner v of it is within these distances along the
-// unit vector t and at right angles to it, and |v|^2 is max2 at most.
-struct arc {
-    struct box box;
-    double ox, oy, tx, ty;
-    double along[2], beside[2], max2, margin;
-    uint32_t lowest; // of the corners' indices
+//> Hold a fan of arcs
+// Eight arcs that follow each other, side by side for vectors. Seen
+// from o, every corner v of an arc is within these distances along the
+// unit vector t and at right angles to it, and |v|^2 is max2 at most,
+// rounding included. The max2 of an arc without corners is -INFINITY.
+enum { FAN = 8 };
+
+struct fan {
+    _Alignas(64) double left[FAN], right[FAN], bottom[FAN], top[FAN];
+    double ox[FAN], oy[FAN], tx[FAN], ty[FAN], max2[FAN];
+    double along[2][FAN], beside[2][FAN];
+    uint32_t lowest[FAN]; // of the corners' indices
 };
 //<
 
 //> Hold the tree of arcs
-// Arc k is made of the arcs 2 k + 1 and 2 k + 2; those without have at
-// most PER_ARC corners.
+// The leaf arc k has the corners PER_ARC k and following. Arc k of a
+// level is in fan k / FAN there, and the whole of that fan is an arc of
+// the next level, where it has the number of the fan.
+enum { PER_ARC = 8, MOST_LEVELS = 12 };
+
 struct arcs {
     struct points points; // the corners, once round
     uint32_t *point;      // their indices
-    struct arc *arc;
-    uint32_t leaves; // a power of two
+    uint32_t room;   // n, rounded up to PER_ARC: the last corner again
+    double diameter; // diagonal of the box of all corners
+    int levels;
+    struct fan *level[MOST_LEVELS]; // the last has a single fan
 };
-enum { PER_ARC = 8 };
 //<
 
 // Of at least one corner, whose box has a squared diagonal that neither
@@ -49,4 +58,29 @@ struct arc_query {
 // Finds the furthest corner, of several the one of the lowest index; it
 // is tried first whether the corner that the query has is far.
 void arcs_furthest(const struct arcs *arcs, struct arc_query *query);
+
+//> Hold a shortlist of arcs
+// Fans of leaf arcs, and of each some of its arcs as bits. Complete, if
+// the furthest corners of all points in a box are in them.
+enum { MOST_LISTED = 16, ALL_ARCS = (1 << FAN) - 1 };
+
+struct shortlist {
+    bool complete;
+    int count;
+    uint32_t fan[MOST_LISTED], set[MOST_LISTED];
+};
+//<
+
+// Makes the list for the points in a box, which are among those that
+// the corners are of; the corner of the query is a guess.
+void arcs_list(const struct arcs *arcs, const struct box *box,
+               struct arc_query *query, struct shortlist *list);
+
+// As arcs_furthest, for a query in the box of a list that is complete.
+void arcs_furthest_listed(const struct arcs *arcs,
+                          const struct shortlist *list,
+                          struct arc_query *query);
+
+// The box of n >= 1 points.
+struct box box_around(struct points points);
 //<

@@ -6,6 +6,7 @@
 #include "ch10-furthest/candidate_search.h"
 #include "ch11-crowds/arcs.h"
 #include "ch11-crowds/ask_pieces.h"
+#include "common/min_max.h"
 
 // Lists of corners are no longer than this, so that they may be
 // compared with a query one by one.
@@ -21,19 +22,41 @@ struct far_search {
 //<
 
 //> Search a leaf by arcs
+// In strips of queries that are near each other: a shortlist for the
+// box of a strip, and for each query of it.
+enum { STRIP = 32 };
+
+static void search_strip(const struct far_search *search,
+                         struct points points, const uint32_t *inverse,
+                         struct arc_query *query)
+{
+    struct shortlist list;
+    const struct box box = box_around(points);
+    arcs_list(search->arcs, &box, query, &list);
+    for (uint32_t s = 0; s < points.n; s++) {
+        query->x = points.x[s];
+        query->y = points.y[s];
+        if (list.complete)
+            arcs_furthest_listed(search->arcs, &list, query);
+        else
+            arcs_furthest(search->arcs, query);
+        search->results[inverse[s]] =
+            (struct neighbor){query->max2, query->furthest};
+    }
+}
+
 static void search_by_arcs(const struct far_search *search,
                            uint32_t begin, uint32_t end,
                            struct counts *counts)
 {
     const struct pieces *pieces = search->pieces;
+    const struct points all = pieces->sorted.points;
     struct arc_query query = {0};
-    for (uint32_t s = begin; s < end; s++) {
-        query.x = pieces->sorted.points.x[s];
-        query.y = pieces->sorted.points.y[s];
-        arcs_furthest(search->arcs, &query);
-        search->results[pieces->inverse[s]] =
-            (struct neighbor){query.max2, query.furthest};
-    }
+    for (uint32_t s = begin; s < end; s += STRIP)
+        search_strip(
+            search,
+            (struct points){MIN(STRIP, end - s), all.x + s, all.y + s},
+            pieces->inverse + s, &query);
     counts->distances += query.compared;
 }
 //<
@@ -103,8 +126,12 @@ static void search_corners_of(const struct far_search *search,
                               struct workspace *workspace,
                               struct answers *answers)
 {
-    struct corners corners = corners_find(search->question, workspace);
+    const struct sorted *sorted = &search->pieces->sorted;
+    struct corners corners = corners_from_left(
+        (struct corners){sorted->points, sorted->cells.point},
+        search->question->threads, workspace);
     if (corners.points.n <= FEW_CORNERS) {
+        corners = corners_by_index(corners, workspace);
         search_few(search->question, &corners, workspace, answers);
     } else {
         const struct arcs arcs = arcs_make(&corners, workspace);
