@@ -24,7 +24,9 @@ static inline double furthest_max_reach(struct space space)
 }
 
 //> Bound the distance to all that is outside of a block
-// As squares are computed: a margin is at most half a period.
+// Of a point as far away as the margin, which is at most half a period,
+// the image on the longer way. Not computed as a distance is: so it is
+// made larger, by more than the roundings that a distance has not.
 static inline double furthest_outside2(const struct grid *grid,
                                        const struct block *block,
                                        struct space space, double x,

@@ -117,7 +117,7 @@ static void furthest_among(const struct question *question,
 //<
 
 //> Partition once for both
-// For the furthest, too, a fuller cell is a better one.
+// As for the nearest alone.
 static const double per_cell = 2;
 
 static void partition_and_search(const struct question *question,

@@ -74,28 +74,11 @@ INLINED void arc_shorten(struct arc *arc, bool front, uint32_t by)
 
 //> Bound what is along an axis
 // What stays the same along an arc: where on the axis the queries are,
-// how far the arc's points are at most on the other one, squared, and
-// how far the two sides of the seam are.
+// and how far the arc's points are at most on the other one, squared.
 struct axis_bounds {
     const struct axis *axis;
     const double *x, *other2;
-    double seam[FAR_BATCH];
 };
-//<
-
-//> Bound the seam
-INLINED void bound_seam(const enum geometry geometry,
-                        const uint32_t lanes, uint32_t low,
-                        uint32_t high, struct axis_bounds *bounds)
-{
-    const struct axis *axis = bounds->axis;
-    const double *x = bounds->x;
-    for (uint32_t lane = 0; lane < lanes; lane++) {
-        double one = max_separation(geometry, axis, low, x[lane]);
-        double other = max_separation(geometry, axis, high, x[lane]);
-        bounds->seam[lane] = MAX(one, other);
-    }
-}
 //<
 
 //> Hold the ends of an arc
@@ -109,11 +92,11 @@ struct ends {
 //<
 
 //> Find the further end
-// The bound for the whole arc is the larger of its two ends'. If it
-// still goes over the seam, where rounding may differ, the bounds of
-// both sides of the seam count, too. As long as the own cells are on
-// it, they come first, and any distance is possible there. Else the
-// lane in the middle says which end is further.
+// The bound for the whole arc is the larger of its two ends', over the
+// seam, too: the bounds of its two sides are a column apart, and
+// rounding is less. As long as the own cells are on it, they come
+// first, and any distance is possible there. Else the lane in the
+// middle says which end is further.
 INLINED void find_ends(const enum geometry geometry,
                        const uint32_t lanes, const struct arc *arc,
                        const struct axis_bounds *bounds,
@@ -121,7 +104,6 @@ INLINED void find_ends(const enum geometry geometry,
 {
     const struct axis *axis = bounds->axis;
     const double *x = bounds->x;
-    const bool round = arc->last < arc->first;
     const bool own = arc->left > arc->others;
     uint32_t some = 0;
 #pragma omp simd reduction(| : some)
@@ -131,8 +113,6 @@ INLINED void find_ends(const enum geometry geometry,
         double there =
             max_separation(geometry, axis, ends->other, x[lane]);
         double rest = MAX(far, there);
-        if (geometry == WRAPAROUND && round)
-            rest = MAX(rest, bounds->seam[lane]);
         if (geometry == WRAPAROUND && own)
             rest = MAX(rest, axis->period);
         some |=
@@ -157,16 +137,13 @@ INLINED const double *far_end2(const struct ends *ends)
 //> Lay out a row
 INLINED struct arc lay_out_row(const enum geometry geometry,
                                const uint32_t lanes,
-                               const struct points points,
                                const uint32_t *start,
-                               struct axis_bounds *bounds)
+                               const struct axis_bounds *bounds)
 {
     const struct axis *axis = bounds->axis;
     const uint32_t begin = start[0], end = start[axis->count];
     if (geometry == STANDARD)
         return arc_from(begin, end, begin, 0);
-    bound_seam(geometry, lanes, axis_cell(axis, points.x[begin]),
-               axis_cell(axis, points.x[end - 1]), bounds);
     uint32_t first = start[axis_cell(axis, bounds->x[0])];
     uint32_t next = start[axis_cell(axis, bounds->x[lanes - 1]) + 1];
     return arc_from(begin, end, first, next - first);
@@ -186,9 +163,8 @@ INLINED void search_row(const enum geometry geometry,
     const double *x = sorted->points.x;
     const uint32_t base = row * axis->count;
     const uint32_t *start = sorted->cells.start + base;
-    struct axis_bounds bounds = {axis, batch->x, up2, {0}};
-    struct arc arc =
-        lay_out_row(geometry, lanes, sorted->points, start, &bounds);
+    const struct axis_bounds bounds = {axis, batch->x, up2};
+    struct arc arc = lay_out_row(geometry, lanes, start, &bounds);
     while (arc.left > 0) {
         struct ends ends;
         ends.one = axis_cell(axis, x[arc.first]);
@@ -215,7 +191,7 @@ INLINED void search_from_outside(const enum geometry geometry,
     const uint32_t *row = rows->row;
     double far2[FAR_BATCH];
     max_separations2(geometry, lanes, &grid->x, batch->x, far2);
-    struct axis_bounds bounds = {&grid->y, batch->y, far2, {0}};
+    const struct axis_bounds bounds = {&grid->y, batch->y, far2};
     //> Lay out all rows
     // With wraparound the ring, cut open before the first of the
     // queries. They are in one row, and in a row anywhere, but in
@@ -223,8 +199,6 @@ INLINED void search_from_outside(const enum geometry geometry,
     struct arc arc = arc_from(0, rows->count, 0, 0);
     if (geometry == WRAPAROUND) {
         const uint32_t own = axis_cell(&grid->y, batch->y[0]);
-        bound_seam(geometry, lanes, row[0], row[rows->count - 1],
-                   &bounds);
         arc = arc_from(0, rows->count, rows->place[own], 1);
     }
     //<

@@ -386,6 +386,56 @@ static void boxes_of_all_shapes(void)
     check_boxes(1500, 60);
 }
 
+static void check_by_cells(const char *name,
+                           const struct question *question)
+{
+    const uint32_t n = question->points.n;
+    struct answers right = answers_allocate(n);
+    struct answers found = answers_for(n, FURTHEST);
+    search_plainly(question, &right);
+    furthest_cells(question, &found);
+    CHECK_INT(0, count_wrong(&right, &found, n), "%u %s points", n,
+              name);
+    answers_free(&found);
+    answers_free(&right);
+}
+
+// Boxes anywhere, and points on either side of the seam, a few doubles
+// apart; or the whole box is a few doubles wide. There the bounds of
+// the first column and of the last are as near as they can be.
+static double at_the_seam(double low, double high, bool narrow,
+                          struct random *random)
+{
+    double x = random_bits(random) % 2 ? low : high;
+    if (random_bits(random) % 4 == 0 && !narrow)
+        x = low + (high - low) * random_uniform(random);
+    for (uint32_t k = random_bits(random) % 8; k > 0; k--)
+        x = nextafter(x, (low + high) / 2);
+    return x;
+}
+
+static void over_the_seam(void)
+{
+    struct random random = {11};
+    for (uint32_t k = 0; k < 2000; k++) {
+        double low = 8 * random_uniform(&random) - 4;
+        double high = low + (k % 2 ? 1e-15 : 1) *
+                                (1 + 7 * random_uniform(&random));
+        struct points points =
+            points_allocate(2 + random_bits(&random) % 60);
+        for (uint32_t i = 0; i < points.n; i++) {
+            points.x[i] = at_the_seam(low, high, k % 2, &random);
+            points.y[i] = at_the_seam(low, high, k % 2, &random);
+        }
+        struct question question = {
+            points, {WRAPAROUND, high - low, high - low}, 1};
+        test_seed(k);
+        check_halves("seam", &question);
+        check_by_cells("seam", &question);
+        points_free(&points);
+    }
+}
+
 static void all_instruction_sets(void)
 {
     for (int isa = 0; isa < ISA_COUNT; isa++)
@@ -751,12 +801,12 @@ int main(void)
         TEST(moved_and_stretched), TEST(shapes_that_hurt),
         TEST(rows_of_all_lengths), TEST(few_digits),
         TEST(halves_left_out), TEST(boxes_of_all_shapes),
-        TEST(all_instruction_sets), TEST(certified_are_right),
-        TEST(few_look_from_outside), TEST(corners_as_expected),
-        TEST(corners_of_shapes), TEST(corners_of_any_threads),
-        TEST(counts_as_expected), TEST(eight_want_little_more),
-        TEST(means_as_reported), TEST(tricks_that_work),
-        TEST(edge_cells_fail), TEST(corner_trick_fails),
-        TEST(tricks_count), TEST(memory_is_kept),
-        TEST(margins_have_a_reason));
+        TEST(over_the_seam), TEST(all_instruction_sets),
+        TEST(certified_are_right), TEST(few_look_from_outside),
+        TEST(corners_as_expected), TEST(corners_of_shapes),
+        TEST(corners_of_any_threads), TEST(counts_as_expected),
+        TEST(eight_want_little_more), TEST(means_as_reported),
+        TEST(tricks_that_work), TEST(edge_cells_fail),
+        TEST(corner_trick_fails), TEST(tricks_count),
+        TEST(memory_is_kept), TEST(margins_have_a_reason));
 }
