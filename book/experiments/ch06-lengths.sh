@@ -1,3 +1,3 @@
 #!/bin/sh
 # The primitives length by length, nanoseconds an element
-exec "$BUILD/ch06/lengths" ${FULL:+7 134217728}
+exec "$BUILD/ch06/lengths" ${FULL:+3 134217728}

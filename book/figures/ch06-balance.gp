@@ -20,8 +20,8 @@ of(name, k) = strcol(1) eq name ? column(k) : NaN
 array a[2]; array q[2]
 do for [v = 1:2] {
   level = v == 1 ? "l1_ns" : "l2_ns"
-  stats table using (of("every_256", v == 1 ? "short_ns" : "long_ns") / column("done")) nooutput
-  a[v] = STATS_max
+  stats prices using (of("elementwise", level)) nooutput
+  a[v] = v == 1 ? 8.0 / 3 * STATS_max : 2 * STATS_max
   sum = 0
   do for [w = 1:5] {
     stats prices using (of(word("pack gather32_in_order gather_in_order scatter_in_order elementwise", w), level)) nooutput

@@ -27,10 +27,10 @@ static void add(double *to, const double *a, const double *b,
 USE_AVX2
 static __m256i sums(__m256i x)
 {
-    const __m256i third = _mm256_set1_epi32(3);
+    const __m256i lane_3 = _mm256_set1_epi32(3);
     x = _mm256_add_epi32(x, _mm256_slli_si256(x, 4));
     x = _mm256_add_epi32(x, _mm256_slli_si256(x, 8));
-    __m256i low = _mm256_permutevar8x32_epi32(x, third);
+    __m256i low = _mm256_permutevar8x32_epi32(x, lane_3);
     return _mm256_add_epi32(
         x, _mm256_blend_epi32(_mm256_setzero_si256(), low, 0xf0));
 }
