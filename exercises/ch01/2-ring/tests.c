@@ -204,9 +204,9 @@ static void seeds(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"inside", 2, "every point lies in the ring", inside},
+    {"inside", 1, "every point lies in the ring", inside},
     {"disc", 1, "evenly by area, without a hole", disc},
-    {"area", 3, "evenly by area", area},
+    {"area", 4, "evenly by area", area},
     {"directions", 2, "in all directions alike", directions},
     {"seeds", 2, "the seed decides, and only it", seeds},
     {0},

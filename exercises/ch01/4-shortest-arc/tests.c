@@ -1,9 +1,13 @@
 // Tests of the shortest arc: it must begin at a point, hold all points
-// and be no longer than the circle without its widest gap.
+// and be no longer than the circle without its widest gap. For many
+// points the widest gap is known, since we made it, and the time is
+// compared with that of one sort.
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static const double tolerance = 1e-12;
 
@@ -99,10 +103,7 @@ static double *points_of(struct arc arc, uint32_t n, uint64_t seed)
 static void one(uint64_t seed)
 {
     check(points_of((struct arc){0, 1}, 1, seed), 1);
-}
-
-static void equal(uint64_t seed)
-{
+    kit_next_case();
     check(points_of((struct arc){0.75, 0}, 5, seed), 5);
 }
 
@@ -115,10 +116,7 @@ static void two(uint64_t seed)
     check(x, 2);
     kit_next_case();
     check(points_of((struct arc){0.2, 0.3}, 2, seed), 2);
-}
-
-static void inside(uint64_t seed)
-{
+    kit_next_case();
     check(points_of((struct arc){0.3, 0.4}, 40, seed), 40);
 }
 
@@ -137,12 +135,64 @@ static void around(uint64_t seed)
     }
 }
 
+// ---- many points ---------------------------------------------------
+
+enum { MANY = 10000, SORTS = 40 }; // a pass over all pairs takes 300
+
+static int by_value(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return *x < *y ? -1 : *x > *y;
+}
+
+// The points of an arc, and its two ends among them.
+static void check_many(struct arc arc, uint64_t seed)
+{
+    double *x = points_of(arc, MANY, seed);
+    x[MANY / 3] = arc.start;
+    x[MANY / 2] = arc.start + arc.length;
+    x[MANY / 2] -= floor(x[MANY / 2]);
+    struct arc *found = kit_output("the answer", 1, sizeof *found);
+    CALL(double *copy = malloc(MANY * sizeof *copy);
+         memcpy(copy, x, MANY * sizeof *copy);
+         qsort(copy, MANY, sizeof *copy, by_value); free(copy));
+    double sort = kit_seconds(false);
+    CALL(*found = STUDENT(shortest_arc)(x, MANY));
+    double sorts = kit_seconds(false) / sort;
+    if (found->start != arc.start ||
+        !(fabs(found->length - arc.length) <= tolerance))
+        WRONG(.expected = kit_text("from %.17g on, length %.17g",
+                                   arc.start, arc.length),
+              .found = kit_text("from %.17g on, length %.17g",
+                                found->start, found->length),
+              .cause = "With few points it was right: does anything "
+                       "depend on how many there are?");
+    if (sorts > SORTS && !kit_is_sanitized())
+        WRONG(.expected = "a time like that of a few sorts",
+              .found = kit_text("that of %.0f sorts", sorts),
+              .cause = "An arc from every point, held against every "
+                       "point, takes n times n steps. In order of "
+                       "place, only points that follow each other "
+                       "have a gap between them.");
+    kit_next_case();
+}
+
+static void many(uint64_t seed)
+{
+    check_many((struct arc){0.125, 0.75}, seed);
+}
+
+static void many_across(uint64_t seed)
+{
+    check_many((struct arc){0.75, 0.875}, seed);
+}
+
 const struct kit_test kit_tests[] = {
-    {"one", 1, "a single point", one},
-    {"equal", 1, "all in the same place", equal},
-    {"two", 1, "two points", two},
-    {"inside", 2, "points away from the border", inside},
-    {"across", 3, "points on both sides of the border", across},
-    {"around", 2, "points all the way round", around},
+    {"one", 1, "a single point, or all in one place", one},
+    {"two", 1, "two points, or some away from the border", two},
+    {"across", 1, "points on both sides of the border", across},
+    {"around", 1, "points all the way round", around},
+    {"many", 3, "10,000 points, in the time of a few sorts", many},
+    {"many-across", 3, "10,000 points across the border", many_across},
     {0},
 };

@@ -1,8 +1,9 @@
-// Tests of the nearest pair: answers only, against a search over all
-// ordered pairs.
+// Tests of the nearest pair: answers only, against a list of all pairs
+// that is sorted by distance and indices.
 #include "common/geometry.h"
 #include "exercise.h"
 #include "kit.h"
+#include <stdlib.h>
 
 static double between(struct points points, uint32_t i, uint32_t j)
 {
@@ -10,18 +11,31 @@ static double between(struct points points, uint32_t i, uint32_t j)
                      points.y[j] - points.y[i]);
 }
 
-// The first pair that is nearest, or furthest.
-static struct pair search(struct points points, bool furthest)
+static int by_distance(const void *a, const void *b)
 {
-    struct pair best = {0, 1, between(points, 0, 1)};
-    for (uint32_t i = 0; i < points.n; i++)
-        for (uint32_t j = 0; j < points.n; j++) {
-            double d2 = between(points, i, j);
-            if (i < j &&
-                (furthest ? d2 > best.distance2 : d2 < best.distance2))
-                best = (struct pair){i, j, d2};
-        }
-    return best;
+    const struct pair *p = a, *q = b;
+    if (p->distance2 != q->distance2)
+        return p->distance2 < q->distance2 ? -1 : 1;
+    if (p->i != q->i)
+        return p->i < q->i ? -1 : 1;
+    return (p->j > q->j) - (p->j < q->j);
+}
+
+// All pairs, numbered as in a full square, of which half is left out.
+static struct pair *sort_pairs(struct points points)
+{
+    uint64_t n = points.n, count = 0;
+    struct pair *pairs =
+        kit_input("all pairs", n * (n - 1) / 2, sizeof *pairs);
+    for (uint64_t k = 0; k < n * n; k++) {
+        struct pair pair = {k % n, k / n, 0};
+        if (pair.i >= pair.j)
+            continue;
+        pair.distance2 = between(points, pair.i, pair.j);
+        pairs[count++] = pair;
+    }
+    qsort(pairs, count, sizeof *pairs, by_distance);
+    return pairs;
 }
 
 static const char *tell(struct points points, struct pair pair)
@@ -31,9 +45,11 @@ static const char *tell(struct points points, struct pair pair)
                     kit_point(points, pair.j), pair.distance2);
 }
 
-static const char *cause(struct points points, struct pair right,
+static const char *cause(struct points points, const struct pair *pairs,
                          struct pair found)
 {
+    struct pair right = pairs[0];
+    uint64_t count = (uint64_t)points.n * (points.n - 1) / 2;
     const char *unbeaten =
         "No pair beat what the search began with: begin with the first "
         "pair and its distance.";
@@ -65,7 +81,7 @@ static const char *cause(struct points points, struct pair right,
     if (really == right.distance2)
         return "These pairs tie. A comparison with <= keeps the last "
                "of them; or the loops run in another order.";
-    if (found.distance2 == search(points, true).distance2)
+    if (found.distance2 == pairs[count - 1].distance2)
         return "This is the furthest pair: is the comparison the wrong "
                "way round?";
     if (right.j == points.n - 1)
@@ -79,12 +95,13 @@ static void check(struct points points)
 {
     struct pair *found = kit_output("the answer", 1, sizeof *found);
     CALL(*found = STUDENT(nearest_pair)(points));
-    struct pair right = search(points, false);
+    const struct pair *pairs = sort_pairs(points);
+    struct pair right = pairs[0];
     if (found->i != right.i || found->j != right.j ||
         found->distance2 != right.distance2)
         WRONG(.expected = tell(points, right),
               .found = tell(points, *found),
-              .cause = cause(points, right, *found),
+              .cause = cause(points, pairs, *found),
               .picture = {
                   points, {found->i, found->j}, {right.i, right.j}});
 }

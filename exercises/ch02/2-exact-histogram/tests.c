@@ -1,9 +1,11 @@
-// Tests of the histogram: counts against a search through the edges,
-// with values on the edges and as close below them as can be.
+// Tests of the histogram: counts against a search by halves in a list
+// of the edges, with values on the edges and as close below them as can
+// be; and for many bins the time, against one division for each value.
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
 #include <math.h>
+#include <stdlib.h>
 
 struct range {
     double low, high;
@@ -16,20 +18,29 @@ static const struct range ranges[] = {
 };
 static const int range_count = sizeof ranges / sizeof *ranges;
 
+// A search through the edges takes thousands of divisions here.
+static const struct range many_bins = {-0.3, 2.1, 5000};
+enum { DIVISIONS = 30 };
+
 static double edge_of(struct range r, int b)
 {
     return edge(r.low, r.high, r.bins, b);
 }
 
-// -1: in no bin.
+// -1: in no bin. The first edge may lie a rounding beside low.
 static int bin_of(struct range r, double value)
 {
     if (!(value >= r.low && value <= r.high))
         return -1;
-    int b = r.bins - 1;
-    while (b > 0 && value < edge_of(r, b))
-        b--;
-    return b;
+    int from = 0, to = r.bins;
+    while (to - from > 1) {
+        int middle = from + (to - from) / 2;
+        if (edge_of(r, middle) <= value)
+            from = middle;
+        else
+            to = middle;
+    }
+    return from;
 }
 
 // Why there is a count too many, or one is missing, in bin b; bin -1
@@ -69,7 +80,9 @@ static void check(double *values, size_t n, struct range r)
     CALL(*outside = STUDENT(histogram)(values, n, r.low, r.high, r.bins,
                                        counts));
     size_t right_outside = 0;
-    uint64_t right[1000] = {0};
+    uint64_t *right = kit_input("right", r.bins, sizeof *right);
+    for (int b = 0; b < r.bins; b++)
+        right[b] = 0;
     for (size_t i = 0; i < n; i++) {
         int b = bin_of(r, values[i]);
         if (b < 0)
@@ -97,6 +110,41 @@ static void check(double *values, size_t n, struct range r)
                   cause(values, n, r, -1, *outside > right_outside));
 }
 
+static volatile double divided; // keeps the divisions
+
+// The counts of many values, and the time in divisions.
+static void check_in_time(double *values, size_t n)
+{
+    struct range r = many_bins;
+    check(values, n, r);
+    double student = kit_seconds(false);
+    CALL(for (size_t i = 0; i < n; i++) divided =
+             (values[i] - r.low) / (r.high - r.low) * r.bins);
+    double divisions = student / kit_seconds(false);
+    if (divisions > DIVISIONS && !kit_is_sanitized())
+        WRONG(.expected = "a time like that of a division or two for "
+                          "each value",
+              .found = kit_text("that of %.0f", divisions),
+              .cause = "Are the edges searched? A division tells the "
+                       "bin, or the one beside it.");
+    kit_next_case();
+}
+
+// As many values as a time takes, at the edge of every bin.
+static void check_at_edges(bool below)
+{
+    enum { ROUNDS = 16 };
+    size_t bins = many_bins.bins, n = ROUNDS * bins;
+    double *values = kit_input("values", n, sizeof *values);
+    for (size_t i = 0; i < n; i++) {
+        int b = i % bins;
+        values[i] =
+            below ? nextafter(edge_of(many_bins, b + 1), many_bins.low)
+                  : edge_of(many_bins, b);
+    }
+    check_in_time(values, n);
+}
+
 static void middles(uint64_t seed)
 {
     (void)seed;
@@ -121,6 +169,7 @@ static void on_edges(uint64_t seed)
         check(values, r.bins, r);
         kit_next_case();
     }
+    check_at_edges(false);
 }
 
 static void below_edges(uint64_t seed)
@@ -134,6 +183,7 @@ static void below_edges(uint64_t seed)
         check(values, r.bins, r);
         kit_next_case();
     }
+    check_at_edges(true);
 }
 
 static void one_value(double value, int copies)
@@ -169,29 +219,33 @@ static void not_numbers(uint64_t seed)
     one_value(NAN, 3);
 }
 
+static double *draw(struct range r, size_t n, uint64_t seed)
+{
+    struct random random = {seed};
+    double *values = kit_input("values", n, sizeof *values);
+    for (size_t i = 0; i < n; i++)
+        values[i] = r.low - 0.1 * (r.high - r.low) +
+                    1.2 * (r.high - r.low) * random_uniform(&random);
+    return values;
+}
+
 static void many(uint64_t seed)
 {
-    const size_t n = 20000;
     for (int k = 0; k < range_count; k++) {
-        struct range r = ranges[k];
-        struct random random = {seed + k};
-        double *values = kit_input("values", n, sizeof *values);
-        for (size_t i = 0; i < n; i++)
-            values[i] =
-                r.low - 0.1 * (r.high - r.low) +
-                1.2 * (r.high - r.low) * random_uniform(&random);
-        check(values, n, r);
+        check(draw(ranges[k], 20000, seed + k), 20000, ranges[k]);
         kit_next_case();
     }
+    check_in_time(draw(many_bins, 80000, seed), 80000);
 }
 
 const struct kit_test kit_tests[] = {
     {"middles", 1, "values in the middle of a bin", middles},
-    {"on-edges", 2, "values on an edge", on_edges},
-    {"below-edges", 2, "values just below an edge", below_edges},
+    {"on-edges", 2, "values on an edge, without a search", on_edges},
+    {"below-edges", 2, "values just below an edge, likewise",
+     below_edges},
     {"highest", 1, "the highest value", highest},
     {"outside", 1, "values outside, or none at all", outside},
     {"not-numbers", 1, "NaN", not_numbers},
-    {"many", 2, "20,000 values, inside and outside", many},
+    {"many", 2, "many values, inside and outside, likewise", many},
     {0},
 };

@@ -141,6 +141,25 @@ static void check_pairs(struct list list)
     kit_next_case();
 }
 
+// The same calls for many points and for few: a walk from row to row
+// takes dozens of times as long for many.
+static void check_walk(uint64_t seed)
+{
+    const double most = 8, least = 20e-3; // times; seconds
+    check_pairs(ends_of(thousands / 40, seed));
+    double few = kit_seconds(false);
+    check_pairs(ends_of(thousands, seed));
+    double many = kit_seconds(false);
+    if (many > most * few + least && !kit_is_sanitized())
+        WRONG(.where = "the time of pair_of_number",
+              .expected = "as much for a hundred thousand points as "
+                          "for a few thousand",
+              .found = kit_text("%.0f times as much", many / few),
+              .cause = "A walk from row to row takes a time that grows "
+                       "with n. Which row a number is in can be "
+                       "computed.");
+}
+
 static void number_few(uint64_t seed)
 {
     (void)seed;
@@ -162,11 +181,12 @@ static void pair_few(uint64_t seed)
 
 static void pair_many(uint64_t seed)
 {
-    check_pairs(ends_of(thousands, seed));
+    check_walk(seed);
 }
 
 static void billions_of_points(uint64_t seed)
 {
+    check_walk(seed);
     check_numbers(ends_of(billions, seed));
     check_pairs(ends_of(billions, seed));
 }
@@ -175,8 +195,8 @@ const struct kit_test kit_tests[] = {
     {"number-few", 1, "numbers of pairs, few points", number_few},
     {"number-many", 2, "numbers, a hundred thousand points",
      number_many},
-    {"pair-few", 2, "pairs of numbers, few points", pair_few},
-    {"pair-many", 2, "pairs, a hundred thousand points", pair_many},
+    {"pair-few", 1, "pairs of numbers, few points", pair_few},
+    {"pair-many", 3, "pairs, in a time that does not grow", pair_many},
     {"billions", 3, "both, four billion points", billions_of_points},
     {0},
 };

@@ -6,7 +6,7 @@
 
 //- solution
 // The order of pairs: by distance, and where they tie, by index. It
-// makes the answer independent of who comes first.
+// makes the answer independent of which thread comes first.
 static bool better(struct pair a, struct pair b)
 {
     if (a.distance2 != b.distance2)

@@ -17,10 +17,13 @@ static const double *distances; // of pair i, j at place_of(i, j)
 static struct notes {
     _Atomic uint32_t invalid;         // calls for no pair
     _Atomic bool worked[THREADS_MAX]; // which threads called
+    _Atomic uint32_t workers;         // and how many they are
+    _Atomic bool alone;               // no second thread came in time
 } * notes;
 static _Atomic uint32_t *times; // each pair was measured
 static uint32_t point_count;
 static long first_row_ns, other_rows_ns; // what a call takes
+static bool wait_for_company;            // let two threads come
 
 static size_t place_of(uint32_t i, uint32_t j)
 {
@@ -28,9 +31,26 @@ static size_t place_of(uint32_t i, uint32_t j)
                  : (size_t)i * (i - 1) / 2 + j;
 }
 
+// The first thread waits for a second one, so that no thread has done
+// it all before the others are awake; but not for ever.
+static void note_worker(void)
+{
+    enum { NAPS = 500 };
+    if (!atomic_exchange(
+            &notes->worked[omp_get_thread_num() % THREADS_MAX], true))
+        notes->workers++;
+    for (int k = 0; wait_for_company && notes->workers < 2; k++) {
+        if (k == NAPS || notes->alone) {
+            notes->alone = true;
+            break;
+        }
+        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+    }
+}
+
 double measure(uint32_t i, uint32_t j)
 {
-    notes->worked[omp_get_thread_num() % THREADS_MAX] = true;
+    note_worker();
     if (i >= point_count || j >= point_count || i == j) {
         notes->invalid++;
         return 0;
@@ -63,6 +83,7 @@ static void prepare(uint32_t n, bool alike, uint64_t seed)
     distances = filled;
     point_count = n;
     first_row_ns = other_rows_ns = 0;
+    wait_for_company = false;
     notes = kit_output("the notes", 1, sizeof *notes);
     *notes = (struct notes){.invalid = 0};
     times = kit_output("the notes", pairs, sizeof *times);
@@ -89,7 +110,7 @@ static const char *cause(uint32_t n, struct pair right,
         return "This is not the distance of this pair: indices and "
                "distance must change together.";
     if (found.distance2 == right.distance2)
-        return "These tie, and this one was found by whichever thread "
+        return "These tie, and this one was found by the thread that "
                "came first or last. Compare the indices, too, when "
                "threads hand in their results.";
     if (times[place_of(right.i, right.j)] == 0)
@@ -99,12 +120,26 @@ static const char *cause(uint32_t n, struct pair right,
            "one replaced it.";
 }
 
+// With two threads and two rows, two threads must have worked.
+static void check_company(void)
+{
+    if (notes->alone)
+        WRONG(.expected = "several threads at work",
+              .found = "one, which waited half a second for another",
+              .cause = "A parallel region has as many threads as its "
+                       "clause num_threads(threads) says, and they "
+                       "share a loop with #pragma omp for. Under a "
+                       "lock, only one of them can measure.");
+}
+
 static void check(uint32_t n, int threads)
 {
     kit_given("%u points, %d threads", n, threads);
     struct pair *found = kit_output("the answer", 1, sizeof *found);
+    wait_for_company = threads > 1 && n > 3;
     CALL(omp_set_num_threads(1);
          *found = STUDENT(nearest_pair)(n, threads));
+    check_company();
     struct pair right = search(n);
     if (found->i != right.i || found->j != right.j ||
         found->distance2 != right.distance2)
@@ -177,10 +212,10 @@ static void ties(uint64_t seed)
     enum { TRIALS = 12 };
     const long soon = 2000000, late = 10000000;
     for (int trial = 0; trial < TRIALS; trial++) {
-        prepare(3, true, seed);
+        prepare(4, true, seed);
         first_row_ns = trial % 2 ? soon : late;
         other_rows_ns = trial % 2 ? late : soon;
-        check(3, 2 + trial / 2 % 2);
+        check(4, 2 + trial / 2 % 2);
         kit_next_case();
     }
 }
@@ -192,11 +227,12 @@ static void lost_updates(uint64_t seed)
     for (uint64_t trial = 0; trial < TRIALS; trial++) {
         int threads = 2 + trial % 3;
         prepare(n, false, seed + trial);
-        first_row_ns = other_rows_ns = 100000; // nobody does it alone
+        first_row_ns = other_rows_ns = 100000; // too long for one
         check(n, threads);
         struct pair *found = kit_output("the answer", 1, sizeof *found);
         CALL(slow_motion(true);
              *found = STUDENT(nearest_pair)(n, threads));
+        check_company();
         struct pair right = search(n);
         if (memcmp(found, &right, sizeof right) != 0)
             WRONG(.where = kit_text("trial %ju, in slow motion",
@@ -217,7 +253,7 @@ const struct kit_test kit_tests[] = {
     {"few-points", 1, "more threads than points", few_points},
     {"once", 2, "every pair is measured once", once},
     {"shared", 1, "several threads work", shared},
-    {"ties", 2, "ties, whoever comes first", ties},
+    {"ties", 2, "ties, whichever thread comes first", ties},
     {"lost-updates", 2, "no update is lost", lost_updates},
     {0},
 };

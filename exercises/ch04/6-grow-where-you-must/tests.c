@@ -240,6 +240,24 @@ static void check_once(void)
                           "been looked at, the own cell, too.");
 }
 
+// A block that stops somewhere, and looks at no cell again and again.
+static void check_stops(void)
+{
+    check();
+    uint64_t found = 0;
+    for (uint32_t k = 0; k < points.n * (cells() + 1); k++)
+        found += looks[k];
+    double share = (double)found / points.n / cells();
+    if (share > 0.25)
+        WRONG(.expected = kit_text("looks at less than a quarter of "
+                                   "the %u cells, for a query",
+                                   cells()),
+              .found = kit_text("at %.0f percent of them", 100 * share),
+              .cause = "The neighbor is near. Beyond a border that is "
+                       "further away than the best so far, there is "
+                       "nothing to find.");
+}
+
 // How far the cells of one coordinate begin from x; 0 in its own.
 static double gap(const double *border, uint32_t own, uint32_t k,
                   double x)
@@ -301,7 +319,7 @@ static struct points lattice(void)
 static void right(uint64_t seed)
 {
     lay(kit_points("uniform", 300, seed), 1, 1, 12, 12);
-    check();
+    check_stops();
     kit_next_case();
     lay(kit_points("clustered", 300, seed), 1, 1, 10, 20);
     check();
@@ -311,7 +329,7 @@ static void right(uint64_t seed)
         large.x[i] *= 1e3, large.y[i] *= 1e3;
     kit_given("200 points in a square of side 1000");
     lay(large, 1e3, 1e3, 20, 20);
-    check();
+    check_stops();
 }
 
 static void ties(uint64_t seed)
@@ -354,6 +372,7 @@ static void lonely(uint64_t seed)
 static void once(uint64_t seed)
 {
     lay(kit_points("uniform", 100, seed), 1, 1, 14, 14);
+    check_stops();
     check_once();
 }
 
@@ -367,11 +386,11 @@ static void square(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"right", 2, "the right neighbors", right},
-    {"ties", 2, "ties, and points on borders", ties},
+    {"right", 2, "the right neighbors, and an end", right},
+    {"ties", 1, "ties, and points on borders", ties},
     {"lonely", 1, "few points in many cells, one row, one cell",
      lonely},
     {"once", 2, "no cell is looked at twice", once},
-    {"square", 3, "only cells that meet the square", square},
+    {"square", 4, "only cells that reach into the square", square},
     {0},
 };

@@ -135,7 +135,7 @@ static const char *twice_cause(uint32_t i, uint32_t j)
         return "With two columns, a cell has the same neighbor on the "
                "left and on the right; with one, it is its own. Rows "
                "likewise.";
-    return "A pair in two cells was met from both sides: of opposite "
+    return "A pair in two cells was found from both sides: of opposite "
            "neighbors, search only one.";
 }
 

@@ -39,9 +39,9 @@ static uint32_t play(uint32_t lanes, uint32_t *cell)
 //- end
 void histogram(uint32_t n, const uint32_t *cell)
 {
-    uint32_t group[LANES], lanes;
-    for (uint32_t i = 0; i < n; i += lanes) {
-        lanes = n - i < LANES ? n - i : LANES;
+    uint32_t group[LANES];
+    for (uint32_t i = 0; i < n; i += LANES) {
+        uint32_t lanes = n - i < LANES ? n - i : LANES;
         memcpy(group, cell + i, lanes * sizeof *group);
         //- solution
         for (uint32_t left = lanes; left > 0;)

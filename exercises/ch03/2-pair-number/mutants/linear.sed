@@ -1,5 +1,5 @@
 # Walks from row to row, which takes a time that grows with n.
-# expect: time grows too fast with n
+# expect: a time that grows with n
 # why: Walking is right, simple, and fast for every $n$ that one tries by hand.
 /uint64_t behind = /i\
     uint32_t i = 0;\

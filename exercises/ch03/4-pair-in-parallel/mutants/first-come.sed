@@ -1,4 +1,4 @@
 # Where threads tie, the one that comes first wins.
-# expect: whichever thread came
+# expect: the thread that came first or last
 # why: With a static schedule and luck, threads come in order of their rows.
 s/better(mine, best)/mine.distance2 < best.distance2/

@@ -1,4 +1,4 @@
 # The last group is taken for a full one.
 # expect: runs past the end
 # why: A number of points that is a multiple of 64 is the first thing that one tries.
-s/lanes = n - i < LANES ? n - i : LANES/lanes = LANES/
+s/n - i < LANES ? n - i : LANES/LANES/
