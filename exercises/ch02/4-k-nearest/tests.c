@@ -210,7 +210,7 @@ static void prepare_many(uint64_t seed)
 }
 
 // A hand of k cards goes through the points once; a sort of all of them
-// takes a hundred times as long.
+// takes many times as long.
 static void in_one_pass(uint64_t seed)
 {
     prepare_many(seed);
