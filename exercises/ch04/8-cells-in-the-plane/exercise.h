@@ -25,7 +25,7 @@ static inline uint32_t cell_at(struct grid grid, double x, double y)
 // that was number index[s], with its coordinates.
 struct sorted {
     uint32_t *start;
-    struct points points;
+    double *x, *y;
     uint32_t *index;
 };
 

@@ -28,8 +28,8 @@ void sort_into_cells(struct points points, struct grid grid,
         while (k <= entries[s].cell)
             sorted->start[k++] = s;
         sorted->index[s] = entries[s].point;
-        sorted->points.x[s] = points.x[entries[s].point];
-        sorted->points.y[s] = points.y[entries[s].point];
+        sorted->x[s] = points.x[entries[s].point];
+        sorted->y[s] = points.y[entries[s].point];
     }
     while (k <= grid.columns * grid.rows)
         sorted->start[k++] = points.n;

@@ -19,8 +19,8 @@ void sort_into_cells(struct points points, struct grid grid,
     for (uint32_t i = points.n; i-- > 0;) {
         uint32_t k = cell_at(grid, points.x[i], points.y[i]);
         uint32_t place = --start[k];
-        sorted->points.x[place] = points.x[i];
-        sorted->points.y[place] = points.y[i];
+        sorted->x[place] = points.x[i];
+        sorted->y[place] = points.y[i];
         sorted->index[place] = i;
     }
     //- starter
@@ -29,8 +29,8 @@ void sort_into_cells(struct points points, struct grid grid,
     //     sorted->start[k] = 0;
     // sorted->start[grid.columns * grid.rows] = points.n;
     // for (uint32_t i = 0; i < points.n; i++) {
-    //     sorted->points.x[i] = points.x[i];
-    //     sorted->points.y[i] = points.y[i];
+    //     sorted->x[i] = points.x[i];
+    //     sorted->y[i] = points.y[i];
     //     sorted->index[i] = i;
     // }
     //- end

@@ -31,8 +31,8 @@ static void prepare(struct points given, uint32_t columns,
     sorted = kit_input("the sorted", 1, sizeof *sorted);
     *sorted = (struct sorted){
         kit_output("start", cells() + 1, sizeof(uint32_t)),
-        {points.n, kit_output("sorted x", points.n, sizeof(double)),
-         kit_output("sorted y", points.n, sizeof(double))},
+        kit_output("sorted x", points.n, sizeof(double)),
+        kit_output("sorted y", points.n, sizeof(double)),
         kit_output("index", points.n, sizeof(uint32_t))};
 }
 
@@ -114,12 +114,12 @@ static void check(void)
                   .expected = kit_point(points, right[s]),
                   .found = kit_point(points, found),
                   .cause = order_cause(right[s], found));
-        if (sorted->points.x[s] != points.x[found] ||
-            sorted->points.y[s] != points.y[found])
+        if (sorted->x[s] != points.x[found] ||
+            sorted->y[s] != points.y[found])
             WRONG(.where = kit_text("the coordinates in place %u", s),
                   .expected = kit_point(points, found),
-                  .found = kit_text("(%.9g, %.9g)", sorted->points.x[s],
-                                    sorted->points.y[s]),
+                  .found = kit_text("(%.9g, %.9g)", sorted->x[s],
+                                    sorted->y[s]),
                   .cause = "The number has moved, its coordinates have "
                            "not: a point moves with all it has.");
     }
@@ -180,8 +180,8 @@ enum { MANY = 1000000, SIDE = 707 };
 static void move_all(void)
 {
     for (uint32_t i = 0; i < MANY; i++) {
-        sorted->points.x[place[i]] = points.x[i];
-        sorted->points.y[place[i]] = points.y[i];
+        sorted->x[place[i]] = points.x[i];
+        sorted->y[place[i]] = points.y[i];
         sorted->index[place[i]] = i;
     }
 }
