@@ -3,19 +3,24 @@
 // moved.
 #include "exercise.h"
 
-void unpack(uint32_t n, const uint8_t *keep, double *values,
-            double hole)
+void unpack(uint32_t n, const uint8_t *keep)
 {
     //- solution
     uint32_t left = 0;
     for (uint32_t i = 0; i < n; i++)
         left += keep[i];
     for (uint32_t i = n; i-- > 0;)
-        values[i] = keep[i] ? values[--left] : hole;
+        if (keep[i])
+            move(--left, i);
+        else
+            clear(i);
     //- starter
     // // Your turn. So far: from the front, over what is still needed.
     // uint32_t next = 0;
     // for (uint32_t i = 0; i < n; i++)
-    //     values[i] = keep[i] ? values[next++] : hole;
+    //     if (keep[i])
+    //         move(next++, i);
+    //     else
+    //         clear(i);
     //- end
 }

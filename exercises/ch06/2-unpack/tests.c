@@ -1,5 +1,5 @@
-// Tests of unpack: answers only, against a copy that is not in place,
-// and against what students write instead.
+// Tests of unpack: answers, against a copy that is not in place and
+// against what students write instead, and how often a value is moved.
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
@@ -7,6 +7,42 @@
 
 enum { MOST = 5000 };
 static const double hole = -1;
+
+// ---- the array -----------------------------------------------------
+
+static uint32_t places;
+static double *values;
+static struct notes {
+    uint64_t moves, clears;
+    bool outside;
+    uint32_t place;
+} * notes;
+
+static void need(uint32_t place)
+{
+    if (place < places)
+        return;
+    notes->outside = true;
+    notes->place = place;
+    kit_leave();
+}
+
+void move(uint32_t from, uint32_t to)
+{
+    need(from);
+    need(to);
+    notes->moves++;
+    values[to] = values[from];
+}
+
+void clear(uint32_t place)
+{
+    need(place);
+    notes->clears++;
+    values[place] = hole;
+}
+
+// ---- mistakes ------------------------------------------------------
 
 static uint32_t count(uint32_t n, const uint8_t *keep)
 {
@@ -53,14 +89,6 @@ static void from_the_end(uint32_t n, const uint8_t *keep,
         result[i] = keep[i] ? result[--left] : hole;
 }
 
-static void turned_round(uint32_t n, const uint8_t *keep,
-                         const double *packed, double *result)
-{
-    uint32_t next = 0;
-    for (uint32_t i = n; i-- > 0;)
-        result[i] = keep[i] ? packed[next++] : hole;
-}
-
 static void one_too_far(uint32_t n, const uint8_t *keep,
                         const double *packed, double *result)
 {
@@ -89,13 +117,10 @@ static const struct {
      "Survivors are overwritten before they have moved. They move to "
      "the back, so the last one has to move first."},
     {no_holes, "Where the flag is not set, the old value is left: "
-               "write the hole."},
+               "clear the place."},
     {from_the_end,
      "The values are taken from the end of the array. The survivors "
      "stand at its beginning: how many are there?"},
-    {turned_round,
-     "The survivors come in reverse: the last of them belongs to the "
-     "last flag that is set."},
     {one_too_far,
      "Survivors are taken from one place too far. Of k survivors, the "
      "last one stands at place k - 1."},
@@ -126,9 +151,17 @@ static void check(uint32_t n, const uint8_t *keep)
         if (keep[i])
             packed[survivors++] = i + 1;
     unpack_right(n, keep, packed, right);
-    double *values = kit_output("values", n, sizeof *values);
+    places = n;
+    values = kit_output("values", n, sizeof *values);
     memcpy(values, packed, n * sizeof *values);
-    CALL(STUDENT(unpack)(n, keep, values, hole));
+    notes = kit_output("the counts", 1, sizeof *notes);
+    *notes = (struct notes){.moves = 0};
+    CALL(STUDENT(unpack)(n, keep));
+    if (notes->outside)
+        WRONG(.expected = kit_text("places below %u", n),
+              .found = kit_text("place %u", notes->place),
+              .cause = "Of k survivors, the last one stands at place "
+                       "k - 1. Was there one left?");
     for (uint32_t i = 0; i < n; i++)
         if (values[i] != right[i])
             WRONG(.where = kit_text("values[%u], its flag is %d, %u of "
@@ -137,7 +170,23 @@ static void check(uint32_t n, const uint8_t *keep)
                   .expected = kit_text("%.9g", right[i]),
                   .found = kit_text("%.9g", values[i]),
                   .cause = cause(n, keep, packed, values));
-    kit_next_case();
+}
+
+// And each place is written to once.
+static void check_moves(uint32_t n, const uint8_t *keep)
+{
+    check(n, keep);
+    const uint64_t written = notes->moves + notes->clears;
+    if (written > n)
+        WRONG(.expected = kit_text("%u moves and holes, one for each "
+                                   "place",
+                                   n),
+              .found = kit_text("%ju moves and %ju holes",
+                                (uintmax_t)notes->moves,
+                                (uintmax_t)notes->clears),
+              .cause = "A survivor can go straight to its place, if "
+                       "nothing stands there that is still needed. For "
+                       "which survivor is that certain?");
 }
 
 static uint8_t *flags(uint32_t n)
@@ -145,14 +194,15 @@ static uint8_t *flags(uint32_t n)
     return kit_input("keep", n, sizeof(uint8_t));
 }
 
-static void check_random(uint32_t n, double share,
+static void check_random(uint32_t n, double share, bool moves,
                          struct random *random)
 {
     kit_given("%u values, each kept with probability %g", n, share);
     uint8_t *keep = flags(n);
     for (uint32_t i = 0; i < n; i++)
         keep[i] = random_uniform(random) < share;
-    check(n, keep);
+    (moves ? check_moves : check)(n, keep);
+    kit_next_case();
 }
 
 static void one_kept(uint32_t n, uint32_t kept)
@@ -162,14 +212,15 @@ static void one_kept(uint32_t n, uint32_t kept)
     for (uint32_t i = 0; i < n; i++)
         keep[i] = i == kept;
     check(n, keep);
+    kit_next_case();
 }
 
 static void all_or_none(uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t n = 1; n <= 65; n += 16) {
-        check_random(n, 1, &random);
-        check_random(n, 0, &random);
+        check_random(n, 1, false, &random);
+        check_random(n, 0, false, &random);
     }
 }
 
@@ -195,7 +246,8 @@ static void every_second(uint64_t seed)
         uint8_t *keep = flags(n);
         for (uint32_t i = 0; i < n; i++)
             keep[i] = i % 2;
-        check(n, keep);
+        check_moves(n, keep);
+        kit_next_case();
     }
 }
 
@@ -203,23 +255,24 @@ static void short_ones(uint64_t seed)
 {
     struct random random = {seed};
     for (uint32_t n = 0; n <= 100; n++)
-        check_random(n, 0.5, &random);
+        check_random(n, 0.5, false, &random);
 }
 
 static void long_ones(uint64_t seed)
 {
     struct random random = {seed};
-    check_random(MOST, 0.02, &random);
-    check_random(MOST, 0.98, &random);
-    check_random(MOST - 1, 0.5, &random);
+    check_random(MOST, 0.02, true, &random);
+    check_random(MOST, 0.98, true, &random);
+    check_random(MOST - 1, 0.5, true, &random);
 }
 
 const struct kit_test kit_tests[] = {
     {"empty", 1, "no values at all", empty},
     {"all-or-none", 1, "all values survive, or none", all_or_none},
-    {"one", 2, "a single survivor, anywhere", one},
-    {"every-second", 2, "every second value survives", every_second},
-    {"short", 2, "0 to 100 values, random flags", short_ones},
-    {"long", 2, "thousands, few or many survivors", long_ones},
+    {"one", 1, "a single survivor, anywhere", one},
+    {"short", 1, "0 to 100 values, random flags", short_ones},
+    {"every-second", 2, "every second, each place written once",
+     every_second},
+    {"long", 4, "thousands, each place written once", long_ones},
     {0},
 };

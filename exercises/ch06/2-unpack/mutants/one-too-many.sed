@@ -1,4 +1,4 @@
 # Takes the value first and counts down afterward.
-# expect: Survivors are taken from one place too far
+# expect: the last one stands at place k - 1
 # why: "values[left--]" and "values[--left]" are told apart by trying.
 s/--left/left--/
