@@ -149,6 +149,24 @@ static void check_all(uint32_t columns, uint32_t rows, bool wraps)
         }
 }
 
+// A layer of few cells takes no time, in a grid of 400 million.
+static void check_wide(uint32_t columns, uint32_t rows)
+{
+    static struct grid wide;
+    wide = (struct grid){columns, rows, true};
+    grid = &wide;
+    home = (struct cell){0, rows - 1};
+    k = 3;
+    check_layer();
+    const double seconds = kit_seconds(false);
+    if (seconds > 0.15)
+        WRONG(.where = where(),
+              .expected = "24 cells, without a look at the others",
+              .found = kit_text("%.2f seconds of work", seconds),
+              .cause = "Do not go through the grid to pick out what "
+                       "belongs to the layer: go around home.");
+}
+
 // ---- the grids -----------------------------------------------------
 
 static void inside(uint64_t seed)
@@ -175,6 +193,7 @@ static void across(uint64_t seed)
     (void)seed;
     check_all(9, 7, true);
     check_all(5, 5, true);
+    check_wide(20001, 20003);
 }
 
 static void half_way(uint64_t seed)
@@ -185,6 +204,7 @@ static void half_way(uint64_t seed)
     check_all(2, 4, true);
     check_all(1, 2, true);
     check_all(1, 1, true);
+    check_wide(20000, 20004);
 }
 
 // Too many cells to go through.
@@ -193,6 +213,7 @@ static void large(uint64_t seed)
     static const struct grid grids[] = {{1000000000, 900000000, false},
                                         {1000000000, 900000000, true}};
     struct random random = {seed};
+    check_wide(20000, 20004);
     for (int g = 0; g < 2; g++) {
         grid = &grids[g];
         for (int place = 0; place < 20; place++) {

@@ -96,8 +96,8 @@ static struct points room_for(uint32_t n)
                            kit_input("y", n, sizeof(double))};
 }
 
-// Strangers in a box around the middle, so many times as large.
-static void invite(uint32_t n, double width, double height,
+// Queries in a box around the middle, so many times as large.
+static void put_queries(uint32_t n, double width, double height,
                    double times, uint64_t seed)
 {
     struct random random = {seed + 1};
@@ -200,7 +200,7 @@ static const char *wrong_cause(uint32_t i, struct found right)
         return "These tie, and the cell of the lower index just "
                "touches the square: the edge belongs to it.";
     if (found.nearest == NO_INDEX)
-        return "The search ended before anybody was found. Go on as "
+        return "The search ended before a point was found. Go on as "
                "long as there are cells.";
     if (found.nearest == p.first.nearest)
         return "This is the nearest of phase one. Layers are square: "
@@ -240,6 +240,43 @@ static void check(void)
 
 // ---- looks ---------------------------------------------------------
 
+// Whether a spiral search may look at a cell: in a layer up to that with
+// which phase one ends, or within the square.
+static bool may_look(const struct phases *p, uint32_t i, uint32_t cell)
+{
+    return layer_of(p, cell) <= p->layer ||
+           away(i, cell) * away(i, cell) <= p->first.nearest2;
+}
+
+// Right answers are not enough: a search that stops has to look at
+// fewer cells than there are, half-way to what it may, at most.
+static void count_looks(void)
+{
+    uint64_t looked = 0, may = 0, all = 0;
+    for (uint32_t i = 0; i < queries.n; i++) {
+        struct phases p = phases_of(i);
+        for (uint32_t k = 0; k < cells(); k++) {
+            looked += looks_of(i)[k];
+            may += may_look(&p, i, k);
+            all++;
+        }
+    }
+    if (2 * looked > may + all)
+        WRONG(.where = kit_text("%u queries", queries.n),
+              .expected = kit_text("about %.0f looks for each",
+                                   (double)may / queries.n),
+              .found = kit_text("%.0f, in a grid of %u cells",
+                                (double)looked / queries.n, cells()),
+              .cause = "Most of these cells are further away than what "
+                       "has been found. When may the search stop?");
+}
+
+static void check_stops(void)
+{
+    check();
+    count_looks();
+}
+
 static void check_once(void)
 {
     check();
@@ -254,6 +291,7 @@ static void check_once(void)
                       .cause = "Each layer is a ring. What is inside "
                                "of it has been looked at, and a "
                                "corner belongs to one side only.");
+    count_looks();
 }
 
 static void check_square(void)
@@ -263,8 +301,7 @@ static void check_square(void)
         struct phases p = phases_of(i);
         double d2 = p.first.nearest2;
         for (uint32_t k = 0; k < cells(); k++) {
-            if (looks_of(i)[k] == 0 || layer_of(&p, k) <= p.layer ||
-                away(i, k) * away(i, k) <= d2)
+            if (looks_of(i)[k] == 0 || may_look(&p, i, k))
                 continue;
             WRONG(.where = tell_query(i),
                   .expected = kit_text(
@@ -288,28 +325,28 @@ static void check_square(void)
 static void inside(uint64_t seed)
 {
     lay(kit_points("uniform", 300, seed), 1, 1, 17, 17);
-    invite(300, 1, 1, 1, seed);
+    put_queries(300, 1, 1, 1, seed);
     check();
     kit_next_case();
     lay(kit_points("clustered", 300, seed), 1, 1, 10, 20);
-    invite(300, 1, 1, 1, seed);
+    put_queries(300, 1, 1, 1, seed);
     check();
 }
 
 static void from_outside(uint64_t seed)
 {
     lay(kit_points("uniform", 200, seed), 1, 1, 14, 14);
-    invite(300, 1, 1, 3, seed);
-    check();
+    put_queries(300, 1, 1, 3, seed);
+    check_stops();
     kit_next_case();
     lay(kit_points("uniform", 20, seed), 1, 1, 30, 1);
-    invite(200, 1, 1, 9, seed);
-    check();
+    put_queries(200, 1, 1, 9, seed);
+    check_stops();
     kit_next_case();
     lay(kit_points("uniform", 1, seed), 1, 1, 13, 11);
-    invite(200, 1, 1, 2, seed);
+    put_queries(200, 1, 1, 2, seed);
     kit_given("1 point in 13 by 11 cells");
-    check();
+    check_stops();
 }
 
 // A lattice, and queries between its points, on them and on borders.
@@ -331,37 +368,37 @@ static void ties(uint64_t seed)
             queries.y[i] = i / 25 / 2.0 - 2;
         }
         kit_given("81 points of a lattice, and 625 queries");
-        check();
+        check_stops();
     }
 }
 
 static void once(uint64_t seed)
 {
     lay(kit_points("uniform", 100, seed), 1, 1, 16, 16);
-    invite(200, 1, 1, 1.5, seed);
+    put_queries(200, 1, 1, 1.5, seed);
     check_once();
 }
 
 static void square(uint64_t seed)
 {
     lay(kit_points("uniform", 200, seed), 1, 1, 14, 14);
-    invite(200, 1, 1, 1, seed);
+    put_queries(200, 1, 1, 1, seed);
     check_square();
     kit_next_case();
     lay(kit_points("clustered", 200, seed), 1, 1, 10, 20);
-    invite(200, 1, 1, 1, seed);
+    put_queries(200, 1, 1, 1, seed);
     check_square();
     kit_next_case();
     lay(kit_points("uniform", 100, seed), 1, 1, 20, 20);
-    invite(200, 1, 1, 2, seed);
+    put_queries(200, 1, 1, 2, seed);
     check_square();
 }
 
 const struct kit_test kit_tests[] = {
-    {"inside", 2, "queries in the grid", inside},
-    {"outside", 2, "queries outside, few points, one row",
+    {"inside", 3, "queries in the grid", inside},
+    {"outside", 2, "outside, and with fewer looks than cells",
      from_outside},
-    {"ties", 2, "ties, and queries on borders", ties},
+    {"ties", 1, "ties and borders, with fewer looks", ties},
     {"once", 2, "no cell is looked at twice", once},
     {"square", 2, "layers of phase one, then the square", square},
     {0},
