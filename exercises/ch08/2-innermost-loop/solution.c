@@ -34,7 +34,7 @@ void look_into_cells(struct strip *strip, const uint32_t *start)
         keep_unfinished(strip, start, step + 1);
     }
     //- starter
-    // // Your turn: so far every task meets the first point.
+    // // Your turn: so far every task has the first point only.
     // for (uint32_t l = 0; l < strip->lanes; l++)
     //     strip->place[l] = start[strip->cell[l]];
     // measure(strip->lanes, strip->task, strip->place);

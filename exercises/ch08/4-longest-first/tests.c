@@ -8,13 +8,16 @@
 static uint32_t tasks, longest, *length;
 
 // What the student's process leaves behind.
-static uint32_t *done; // the steps of each task
+static uint32_t *done;  // the steps of each task
+static uint32_t *first; // the order of the first step
 static struct notes {
     uint32_t steps, most_steps;
     bool bad_lanes, bad_task, twice;
     uint32_t lanes, task; // the last ones
     bool idle;
     uint32_t idle_step, idle_task; // the first one
+    bool changed;
+    uint32_t changed_step; // the first in which the order is another
     bool disordered;
     uint32_t left, right; // the first such neighbors
 } * notes;
@@ -49,6 +52,12 @@ void step(uint32_t lanes, const uint32_t *task)
         done[task[l]]++;
         if (l > 0)
             look_at_order(task[l - 1], task[l]);
+        if (notes->steps == 0)
+            first[l] = task[l];
+        if (first[l] != task[l] && !notes->changed) {
+            notes->changed = true;
+            notes->changed_step = notes->steps;
+        }
     }
     notes->steps++;
     notes->lanes = lanes;
@@ -115,6 +124,7 @@ static void run(void)
         kit_output("places", (size_t)longest + 1, sizeof *places);
     done = kit_output("the steps", tasks, sizeof *done);
     memset(done, 0, tasks * sizeof *done);
+    first = kit_output("the first order", tasks, sizeof *first);
     notes = kit_output("the notes", 1, sizeof *notes);
     *notes = (struct notes){.most_steps = tasks * (longest + 2) + 9};
     CALL(STUDENT(work_off)(tasks, length, longest, order, places));
@@ -151,9 +161,23 @@ static const char *idle_cause(void)
            "has not: the longest first.";
 }
 
-static void check_idle(void)
+// There is no pack: the order is made once.
+static void check_order(void)
 {
     run();
+    if (notes->changed)
+        WRONG(.where = kit_text("step %u", notes->changed_step + 1),
+              .expected = "the order of the first step, or the "
+                          "beginning of it",
+              .found = "another order",
+              .cause = "To gather in each step the tasks that have work "
+                       "left is a pack of all of them. Order them once, "
+                       "so that fewer lanes are all it takes.");
+}
+
+static void check_idle(void)
+{
+    check_order();
     if (notes->idle)
         WRONG(.where = tell_task(notes->idle_task),
               .expected = "no step after that",
@@ -167,7 +191,7 @@ static void check_steps(void)
     uint32_t needed = 0;
     for (uint32_t i = 0; i < tasks; i++)
         needed = length[i] > needed ? length[i] : needed;
-    run();
+    check_order();
     if (notes->steps > needed)
         WRONG(.expected = kit_text("%u steps", needed),
               .found = kit_text("%u", notes->steps),
@@ -190,7 +214,7 @@ static void all_done(uint64_t seed)
     run();
 }
 
-static void nobody_idle(uint64_t seed)
+static void none_idle(uint64_t seed)
 {
     prepare_cells(500, seed);
     check_idle();
@@ -240,9 +264,9 @@ static void nothing(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"done", 3, "every task has its steps", all_done},
-    {"idle", 2, "no task works that has finished", nobody_idle},
-    {"steps", 2, "all take their steps together", steps},
+    {"done", 2, "every task has its steps", all_done},
+    {"idle", 1, "no task works that has finished", none_idle},
+    {"steps", 4, "all take their steps together", steps},
     {"order", 2, "equally long ones stay in order", order},
     {"nothing", 1, "where there is little or nothing to do", nothing},
     {0},

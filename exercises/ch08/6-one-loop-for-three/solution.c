@@ -12,47 +12,47 @@ struct lanes {
 };
 
 // The tasks that need a cell, and their lanes.
-struct asking {
+struct waiting {
     uint32_t n;
     uint32_t lane[STRIP], task[STRIP], visited[STRIP], cell[STRIP];
 };
 
-static void ask(struct asking *asking, const struct lanes *lanes,
+static void add(struct waiting *waiting, const struct lanes *lanes,
                 uint32_t lane)
 {
-    asking->lane[asking->n] = lane;
-    asking->task[asking->n] = lanes->task[lane];
-    asking->visited[asking->n] = lanes->visited[lane];
-    asking->n++;
+    waiting->lane[waiting->n] = lane;
+    waiting->task[waiting->n] = lanes->task[lane];
+    waiting->visited[waiting->n] = lanes->visited[lane];
+    waiting->n++;
 }
 
 // Sends the lanes to their cells; one in an empty cell is sent on.
-static void go_on(struct asking *asking, struct lanes *lanes,
+static void go_on(struct waiting *waiting, struct lanes *lanes,
                   const uint32_t *start)
 {
-    uint32_t n = asking->n;
-    asking->n = 0;
+    uint32_t n = waiting->n;
+    waiting->n = 0;
     for (uint32_t a = 0; a < n; a++) {
-        uint32_t lane = asking->lane[a], cell = asking->cell[a];
+        uint32_t lane = waiting->lane[a], cell = waiting->cell[a];
         if (cell == NOWHERE)
             continue;
         lanes->visited[lane]++;
         lanes->place[lane] = start[cell];
         lanes->end[lane] = start[cell + 1];
         if (start[cell] == start[cell + 1])
-            ask(asking, lanes, lane);
+            add(waiting, lanes, lane);
     }
 }
 
 static void refill(struct lanes *lanes, const uint32_t *start)
 {
-    struct asking asking = {.n = 0};
+    struct waiting waiting = {.n = 0};
     for (uint32_t l = 0; l < lanes->n; l++)
         if (lanes->place[l] == lanes->end[l])
-            ask(&asking, lanes, l);
-    while (asking.n > 0) {
-        next_cell(asking.n, asking.task, asking.visited, asking.cell);
-        go_on(&asking, lanes, start);
+            add(&waiting, lanes, l);
+    while (waiting.n > 0) {
+        next_cell(waiting.n, waiting.task, waiting.visited, waiting.cell);
+        go_on(&waiting, lanes, start);
     }
 }
 

@@ -1,5 +1,5 @@
-// Tests of the single loop: which points each task met, when it asked
-// for the next cell, and how many steps it took.
+// Tests of the single loop: which points each task was compared with,
+// when it was given its next cell, and how many steps it took.
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
@@ -13,13 +13,13 @@ static struct way {
     uint32_t cells, cell[LONGEST_WAY];
 } * ways;
 
-// What the student's process leaves behind; met has a row for each
+// What the student's process leaves behind; measured has a row for each
 // task, and a column for each point.
-static uint8_t *met;
+static uint8_t *measured;
 static uint32_t *shown; // the cells of its way that a task knows of
 static struct notes {
     uint32_t steps, calls;
-    uint64_t asked;
+    uint64_t given;
     enum {
         NOTHING,
         BAD_LANES,
@@ -39,7 +39,7 @@ static uint32_t count_of(uint32_t cell)
     return start[cell + 1] - start[cell];
 }
 
-static uint64_t needed_asks(void)
+static uint64_t needed_cells(void)
 {
     uint64_t sum = 0;
     for (uint32_t i = 0; i < tasks; i++)
@@ -61,12 +61,12 @@ static void fault(int kind, uint32_t lanes, uint32_t task,
 
 static uint8_t *mark_of(uint32_t task, uint32_t place)
 {
-    return &met[(size_t)task * points + place];
+    return &measured[(size_t)task * points + place];
 }
 
 // The first place in the first cells of a task's way that it has not
-// met, or points.
-static uint32_t not_met(uint32_t task, uint32_t cells)
+// measured, or points.
+static uint32_t not_measured(uint32_t task, uint32_t cells)
 {
     for (uint32_t k = 0; k < cells; k++) {
         uint32_t cell = ways[task].cell[k];
@@ -83,8 +83,8 @@ void next_cell(uint32_t lanes, const uint32_t *task,
     if (lanes < 1 || lanes > tasks)
         fault(BAD_LANES, lanes, 0, 0);
     notes->calls++;
-    notes->asked += lanes;
-    if (notes->asked > 100 * needed_asks())
+    notes->given += lanes;
+    if (notes->given > 100 * needed_cells())
         fault(TOO_OFTEN, lanes, task[0], 0);
     for (uint32_t l = 0; l < lanes; l++) {
         uint32_t i = task[l], k = visited[l];
@@ -92,8 +92,8 @@ void next_cell(uint32_t lanes, const uint32_t *task,
             fault(BAD_TASK, lanes, i, 0);
         if (k > shown[i] || k > ways[i].cells)
             fault(TOO_FAR, lanes, i, k);
-        if (not_met(i, k) < points)
-            fault(TOO_EARLY, lanes, i, not_met(i, k));
+        if (not_measured(i, k) < points)
+            fault(TOO_EARLY, lanes, i, not_measured(i, k));
         cell[l] = k < ways[i].cells ? ways[i].cell[k] : NOWHERE;
         shown[i] = k < ways[i].cells ? k + 1 : k;
     }
@@ -233,7 +233,7 @@ static const char *tell_cell(uint32_t task, uint32_t k)
 static const char *tell_shown(uint32_t task)
 {
     if (shown[task] == 0)
-        return kit_text("task %u, which has not asked for a cell",
+        return kit_text("task %u, which has been given no cell",
                         task);
     return tell_cell(task, shown[task] - 1);
 }
@@ -258,17 +258,15 @@ static void check_fault(void)
               .expected = kit_text("places below %u", points),
               .found = kit_text("place %u", notes->place),
               .cause = "A lane goes on and on. Where does its cell "
-                       "end, and who is packed away?");
+                       "end, and which lanes are packed away?");
     case TOO_EARLY:
         WRONG(.where = tell_shown(notes->task),
-              .expected =
-                  kit_text("meets place %u first", notes->place),
-              .found = "asks for the next cell",
-              .cause =
-                  "Only a task that has met all of a cell may ask. "
-                  "If its lane has: do a lane's task, place and end "
-                  "stay "
-                  "together?");
+              .expected = kit_text("compared with place %u first",
+                                   notes->place),
+              .found = "is to be given its next cell",
+              .cause = "Only a task that has measured all points of its "
+                       "cell goes on. If its lane has: do a lane's "
+                       "task, place and end stay together?");
     case TOO_FAR:
         WRONG(.where = tell_shown(notes->task),
               .expected = kit_text("at most %u cells visited",
@@ -278,7 +276,7 @@ static void check_fault(void)
                        "and NOWHERE not at all.");
     case TOO_OFTEN:
         WRONG(.where = tell_shown(notes->task), .expected = "an end",
-              .found = "it asks again and again",
+              .found = "calls of next_cell without one",
               .cause = "After each answer that is a cell, the task has "
                        "visited one more. NOWHERE is the end.");
     }
@@ -291,10 +289,10 @@ static const char *missing_cause(uint32_t task)
         return "It has been told of the cell and did not finish it. Do "
                "a lane's task, place and end stay together?";
     if (known > 0 && count_of(ways[task].cell[known - 1]) == 0)
-        return "An empty cell is not the end of the way. A task that "
-               "meets one asks again.";
+        return "An empty cell is not the end of the way. A task in one "
+               "needs its next cell.";
     return kit_text(
-        "It never asked what comes after cell %u of its way. "
+        "It was never given what comes after cell %u of its way. "
         "Go on until the answer is NOWHERE.",
         known);
 }
@@ -310,8 +308,8 @@ static uint32_t way_position(uint32_t task, uint32_t place)
 
 static void run(void)
 {
-    met = kit_output("the points met", (size_t)tasks * points, 1);
-    memset(met, 0, (size_t)tasks * points);
+    measured = kit_output("the points measured", (size_t)tasks * points, 1);
+    memset(measured, 0, (size_t)tasks * points);
     shown = kit_output("the cells shown", tasks, sizeof *shown);
     memset(shown, 0, tasks * sizeof *shown);
     notes = kit_output("the notes", 1, sizeof *notes);
@@ -319,11 +317,11 @@ static void run(void)
     CALL(STUDENT(seek)(tasks, start));
     check_fault();
     for (uint32_t i = 0; i < tasks; i++) {
-        uint32_t place = not_met(i, ways[i].cells);
+        uint32_t place = not_measured(i, ways[i].cells);
         if (place < points)
             WRONG(.where = tell_cell(i, way_position(i, place)),
-                  .expected = kit_text("meets place %u", place),
-                  .found = "never does", .cause = missing_cause(i));
+                  .expected = kit_text("compared with place %u", place),
+                  .found = "it never is", .cause = missing_cause(i));
     }
 }
 
@@ -331,8 +329,8 @@ static const char *stray_cause(void)
 {
     uint32_t task = notes->stray_task, place = notes->stray_place;
     if (*mark_of(task, place) == 2)
-        return "It has met this one before. Does every step take the "
-               "next place?";
+        return "It has been compared with this one before. Does every "
+               "step take the next place?";
     for (uint32_t k = 0; k < ways[task].cells; k++)
         if (place == start[ways[task].cell[k] + 1])
             return "That is just behind a cell on its way: a cell ends "
@@ -355,18 +353,18 @@ static void check_lanes(void)
               .cause = stray_cause());
 }
 
-static void check_asking(void)
+static void check_cells(void)
 {
     uint64_t most_calls =
         (uint64_t)(1 + most_points()) * (1 + longest_desert());
     check_lanes();
-    if (notes->asked > needed_asks())
-        WRONG(.expected = kit_text("%ju lanes that ask, one for each "
-                                   "cell and each NOWHERE",
-                                   (uintmax_t)needed_asks()),
-              .found = kit_text("%ju", (uintmax_t)notes->asked),
-              .cause = "A task with a point left in its cell need not "
-                       "ask, nor one that was told NOWHERE.");
+    if (notes->given > needed_cells())
+        WRONG(.expected = kit_text("%ju lanes in calls of next_cell, one "
+                                   "for each cell and each NOWHERE",
+                                   (uintmax_t)needed_cells()),
+              .found = kit_text("%ju", (uintmax_t)notes->given),
+              .cause = "A task with a point left in its cell needs no "
+                       "other, nor does one that was told NOWHERE.");
     if (notes->calls > most_calls)
         WRONG(.expected =
                   kit_text("at most %ju calls of next_cell: before "
@@ -374,27 +372,30 @@ static void check_asking(void)
                            "of the longest desert",
                            (uintmax_t)most_calls),
               .found = kit_text("%u", notes->calls),
-              .cause = "All tasks that have to ask before a step ask "
-                       "together.");
+              .cause = "All tasks that need a cell before a step are in "
+                       "one call.");
 }
 
 static void check_steps(void)
 {
     uint32_t most = most_points();
     check_lanes();
-    if (notes->steps > most)
-        WRONG(.expected = kit_text("%u steps, the points on the "
-                                   "longest way",
-                                   most),
-              .found = kit_text("%u", notes->steps),
-              .cause =
-                  notes->steps == nested_steps(false) ||
-                          notes->steps == nested_steps(true)
-                      ? "These are the steps of nested loops: a "
-                        "task that has finished its cell waits "
-                        "for all others. Let it go on."
-                      : "In every step all tasks that have work left "
-                        "should measure.");
+    const bool nested = notes->steps == nested_steps(false) ||
+                        notes->steps == nested_steps(true);
+    kit_bands(
+        (double)notes->steps / most,
+        (struct kit_band[]){{1, 6}, {1.5, 3}, {0, 0}},
+        (struct kit_fault){
+            .expected = kit_text("%u steps, the points on the longest "
+                                 "way",
+                                 most),
+            .found = kit_text("%u", notes->steps),
+            .cause = nested
+                         ? "These are the steps of nested loops: a task "
+                           "that has finished its cell waits for all "
+                           "others. Let it go on."
+                         : "In every step all tasks that have work left "
+                           "should measure."});
 }
 
 // ---- tests ---------------------------------------------------------
@@ -417,13 +418,13 @@ static void lanes(uint64_t seed)
     check_lanes();
 }
 
-static void asking(uint64_t seed)
+static void cells_together(uint64_t seed)
 {
     prepare(STRIP, 300, 0, 2, seed);
-    check_asking();
+    check_cells();
     kit_next_case();
     prepare(20, 30, 0, 0, seed);
-    check_asking();
+    check_cells();
 }
 
 static void steps(uint64_t seed)
@@ -433,9 +434,9 @@ static void steps(uint64_t seed)
 }
 
 const struct kit_test kit_tests[] = {
-    {"all", 3, "every task meets all on its way", all_points},
-    {"lanes", 2, "and no others, though cells are empty", lanes},
-    {"asking", 2, "only lanes that must ask, and together", asking},
-    {"steps", 3, "no lane waits for another", steps},
+    {"all", 1, "every task measures all on its way", all_points},
+    {"lanes", 1, "and no others, though cells are empty", lanes},
+    {"cells", 2, "next_cell for lanes that need it, together", cells_together},
+    {"steps", 6, "no lane waits for another", steps},
     {0},
 };

@@ -1,4 +1,4 @@
 # Takes places from the front of the array.
-# expect: Another point was met instead
+# expect: compared with another point
 # why: They forget that a cell begins somewhere.
 s/start\[strip->cell\[l\]\] + step/step/
