@@ -172,7 +172,7 @@ static uint32_t place_of(const struct question *q, uint32_t index)
     return place;
 }
 
-// The lane in which a place of a span is met.
+// The lane in which a place of a span is measured.
 static uint32_t lane_of(const struct question *q, uint32_t place)
 {
     for (uint32_t s = 0; s < q->spans; s++)
@@ -202,8 +202,8 @@ static bool in_last_lanes(const struct question *q, uint32_t place)
     return false;
 }
 
-// Whether a lane meets NAN, behind the last point.
-static bool meets_nan(const struct question *q, uint32_t lane)
+// Whether a lane has NAN, behind the last point.
+static bool has_nan(const struct question *q, uint32_t lane)
 {
     for (uint32_t s = 0; s < q->spans; s++)
         for (uint32_t place = q->span[s].begin; place < q->span[s].end;
@@ -219,8 +219,8 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
     uint32_t place = place_of(q, answer.nearest);
     if (isnan(answer.nearest2) ||
         (answer.nearest2 == INFINITY && answer.nearest != NO_INDEX))
-        return "Behind the last point distances are NAN: ask whether "
-               "the new one is less.";
+        return "Behind the last point distances are NAN: compare "
+               "whether the new one is less.";
     if (answer.nearest == q->self)
         return "This is the query itself.";
     if (right == q->n)
@@ -231,20 +231,20 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
     if (answer.nearest2 == q->distance2[right] && place < q->n &&
         lane_of(q, place) == lane_of(q, right))
         return "These tie, in the same lane. The places are in the "
-               "order of the cells, so the first one met need not have "
-               "the lowest index.";
+               "order of the cells, so the first one found need not "
+               "have the lowest index.";
     if (answer.nearest2 == q->distance2[right])
         return "These tie, in different lanes. At the end, compare the "
                "indices of lanes that tie.";
     if (in_last_lanes(q, right))
         return "It is one of the last of its span, which has not four "
-               "points any more. Whom the other lanes meet is no "
-               "nearer, so let them.";
-    if (meets_nan(q, lane_of(q, right)))
-        return "Its lane met NAN later, of which nothing is true: ask "
+               "points any more. What the other lanes measure is "
+               "no nearer, so let them.";
+    if (has_nan(q, lane_of(q, right)))
+        return "Its lane had NAN later, of which nothing is true: compare "
                "whether the new one is less, not whether it is not "
                "greater.";
-    return kit_text("It was met in lane %u. Does each lane keep its "
+    return kit_text("It was measured in lane %u. Does each lane keep its "
                     "best from one span to the next, and do all take "
                     "part in the end?",
                     lane_of(q, right));
@@ -274,6 +274,26 @@ static void check_measures(const struct question *q,
                              "next four are four places on."
                            : "A span of seven points takes two, and an "
                              "empty one none.");
+}
+
+// Right answers are not enough: four lanes need fewer measures than
+// there are points, about a third.
+static void check_lanes(void)
+{
+    uint64_t needed = 0, measures = 0;
+    for (uint32_t k = 0; k < QUESTIONS; k++) {
+        const struct question *q = &questions[k];
+        for (uint32_t s = 0; s < q->spans; s++)
+            needed +=
+                (q->span[s].end - q->span[s].begin + LANES - 1) / LANES;
+        measures += notes[k].measures;
+    }
+    if (measures > 2 * needed)
+        WRONG(.expected = kit_text("some %ju measures", (uintmax_t)needed),
+              .found = kit_text("%ju", (uintmax_t)measures),
+              .cause = "The answers are right, but one lane found them. "
+                       "Four points are measured at a time: let all "
+                       "four count, and go on by four places.");
 }
 
 static void check(bool count)
@@ -324,12 +344,14 @@ static void rest(uint64_t seed)
 {
     prepare(3, 1, 1000000, seed);
     check(false);
+    check_lanes();
 }
 
 static void ties(uint64_t seed)
 {
     prepare(3, 1, 40, seed);
     check(false);
+    check_lanes();
     kit_next_case();
     prepare(2, 1, 1, seed);
     check(false);
@@ -343,8 +365,8 @@ static void measures(uint64_t seed)
 
 const struct kit_test kit_tests[] = {
     {"fours", 2, "spans of four, eight, twelve points", fours},
-    {"rest", 2, "spans of any length", rest},
-    {"ties", 3, "the lowest index of those that tie", ties},
+    {"rest", 2, "spans of any length, in four lanes", rest},
+    {"ties", 3, "the lowest index, in four lanes", ties},
     {"measures", 3, "four points for each measure", measures},
     {0},
 };
