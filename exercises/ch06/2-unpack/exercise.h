@@ -8,6 +8,6 @@ void move(uint32_t from, uint32_t to);
 void clear(uint32_t place);
 
 // The array has n places, and begins with the survivors of a pack, as
-// many as flags are set. Brings each to the place of its flag, in order,
-// and the hole to all other places. n may be 0.
+// many as flags are set. Brings each to the place of its flag, in
+// order, and the hole to all other places. n may be 0.
 void unpack(uint32_t n, const uint8_t *keep);

@@ -11,8 +11,7 @@
 static void unpack_eight(uint32_t flags, const uint32_t *from,
                          uint32_t *to, __m256i holes)
 {
-    const uint64_t marks =
-        _pdep_u64(flags, 0x0101010101010101) * 255;
+    const uint64_t marks = _pdep_u64(flags, 0x0101010101010101) * 255;
     const uint64_t ranks = _pdep_u64(0x0706050403020100, marks);
     const __m256i order =
         _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)ranks));

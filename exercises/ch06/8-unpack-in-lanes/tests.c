@@ -63,9 +63,9 @@ static void check(void)
         if (to[i] != right)
             WRONG(.where = kit_text("to[%u], flag %u in the byte %02x",
                                     i, flag(i), keep[i / 8]),
-                  .expected =
-                      flag(i) ? kit_text("from[%u], %u", next - 1, right)
-                              : kit_text("the hole, %u", right),
+                  .expected = flag(i) ? kit_text("from[%u], %u",
+                                                 next - 1, right)
+                                      : kit_text("the hole, %u", right),
                   .found = kit_text("%u", to[i]),
                   .cause = cause(i, right));
     }

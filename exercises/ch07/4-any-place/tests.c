@@ -98,7 +98,7 @@ static struct points room_for(uint32_t n)
 
 // Queries in a box around the middle, so many times as large.
 static void put_queries(uint32_t n, double width, double height,
-                   double times, uint64_t seed)
+                        double times, uint64_t seed)
 {
     struct random random = {seed + 1};
     queries = room_for(n);
@@ -221,7 +221,7 @@ static void check(void)
     memset(looks, 0, (size_t)n * (cells() + 1) * sizeof *looks);
     CALL(for (current = 0; current < n; current++) answers[current] =
              STUDENT(nearest_point)(&grid, queries.x[current],
-                          queries.y[current]));
+                                    queries.y[current]));
     for (uint32_t i = 0; i < n; i++) {
         struct found right = search(i, 0, grid.columns, 0, grid.rows);
         if (looks_of(i)[cells()] > 0)
@@ -240,8 +240,8 @@ static void check(void)
 
 // ---- looks ---------------------------------------------------------
 
-// Whether a spiral search may look at a cell: in a layer up to that with
-// which phase one ends, or within the square.
+// Whether a spiral search may look at a cell: in a layer up to that
+// with which phase one ends, or within the square.
 static bool may_look(const struct phases *p, uint32_t i, uint32_t cell)
 {
     return layer_of(p, cell) <= p->layer ||

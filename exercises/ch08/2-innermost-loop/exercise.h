@@ -18,6 +18,6 @@ void measure(uint32_t lanes, const uint32_t *task,
 // in order, and returns how many they are. Costs 1 for each lane.
 uint32_t pack(uint32_t lanes, const uint8_t *keep, uint32_t *values);
 
-// Compares every task with all points of its cell, once each. Cell k has
-// the places from start[k] up to, not including, start[k + 1].
+// Compares every task with all points of its cell, once each. Cell k
+// has the places from start[k] up to, not including, start[k + 1].
 void look_into_cells(struct strip *strip, const uint32_t *start);

@@ -209,7 +209,8 @@ static const char *stray_cause(void)
     bool inside = place >= start[cell] && place < start[cell + 1];
     if (inside)
         return "It has been compared with this one before. Does every "
-               "step take the next point? Are there fewer lanes after a "
+               "step take the next point? Are there fewer lanes after "
+               "a "
                "pack?";
     if (place == start[cell + 1] && count_of(cell) == 0)
         return "An empty cell has no first point. Pack those tasks "

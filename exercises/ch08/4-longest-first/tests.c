@@ -170,9 +170,10 @@ static void check_order(void)
               .expected = "the order of the first step, or the "
                           "beginning of it",
               .found = "another order",
-              .cause = "To gather in each step the tasks that have work "
-                       "left is a pack of all of them. Order them once, "
-                       "so that fewer lanes are all it takes.");
+              .cause =
+                  "To gather in each step the tasks that have work "
+                  "left is a pack of all of them. Order them once, "
+                  "so that fewer lanes are all it takes.");
 }
 
 static void check_idle(void)

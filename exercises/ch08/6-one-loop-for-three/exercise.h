@@ -17,6 +17,6 @@ void measure(uint32_t lanes, const uint32_t *task,
              const uint32_t *place);
 
 // Lets the tasks 0 to n-1 measure all points of all cells on their
-// ways, once each. Cell k has the places from start[k] up to, not including,
-// start[k + 1].
+// ways, once each. Cell k has the places from start[k] up to, not
+// including, start[k + 1].
 void seek(uint32_t n, const uint32_t *start);

@@ -51,7 +51,8 @@ static void refill(struct lanes *lanes, const uint32_t *start)
         if (lanes->place[l] == lanes->end[l])
             add(&waiting, lanes, l);
     while (waiting.n > 0) {
-        next_cell(waiting.n, waiting.task, waiting.visited, waiting.cell);
+        next_cell(waiting.n, waiting.task, waiting.visited,
+                  waiting.cell);
         go_on(&waiting, lanes, start);
     }
 }

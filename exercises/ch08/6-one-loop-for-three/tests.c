@@ -233,8 +233,7 @@ static const char *tell_cell(uint32_t task, uint32_t k)
 static const char *tell_shown(uint32_t task)
 {
     if (shown[task] == 0)
-        return kit_text("task %u, which has been given no cell",
-                        task);
+        return kit_text("task %u, which has been given no cell", task);
     return tell_cell(task, shown[task] - 1);
 }
 
@@ -264,9 +263,10 @@ static void check_fault(void)
               .expected = kit_text("compared with place %u first",
                                    notes->place),
               .found = "is to be given its next cell",
-              .cause = "Only a task that has measured all points of its "
-                       "cell goes on. If its lane has: do a lane's "
-                       "task, place and end stay together?");
+              .cause =
+                  "Only a task that has measured all points of its "
+                  "cell goes on. If its lane has: do a lane's "
+                  "task, place and end stay together?");
     case TOO_FAR:
         WRONG(.where = tell_shown(notes->task),
               .expected = kit_text("at most %u cells visited",
@@ -308,7 +308,8 @@ static uint32_t way_position(uint32_t task, uint32_t place)
 
 static void run(void)
 {
-    measured = kit_output("the points measured", (size_t)tasks * points, 1);
+    measured =
+        kit_output("the points measured", (size_t)tasks * points, 1);
     memset(measured, 0, (size_t)tasks * points);
     shown = kit_output("the cells shown", tasks, sizeof *shown);
     memset(shown, 0, tasks * sizeof *shown);
@@ -359,9 +360,10 @@ static void check_cells(void)
         (uint64_t)(1 + most_points()) * (1 + longest_desert());
     check_lanes();
     if (notes->given > needed_cells())
-        WRONG(.expected = kit_text("%ju lanes in calls of next_cell, one "
-                                   "for each cell and each NOWHERE",
-                                   (uintmax_t)needed_cells()),
+        WRONG(.expected =
+                  kit_text("%ju lanes in calls of next_cell, one "
+                           "for each cell and each NOWHERE",
+                           (uintmax_t)needed_cells()),
               .found = kit_text("%ju", (uintmax_t)notes->given),
               .cause = "A task with a point left in its cell needs no "
                        "other, nor does one that was told NOWHERE.");
@@ -372,8 +374,9 @@ static void check_cells(void)
                            "of the longest desert",
                            (uintmax_t)most_calls),
               .found = kit_text("%u", notes->calls),
-              .cause = "All tasks that need a cell before a step are in "
-                       "one call.");
+              .cause =
+                  "All tasks that need a cell before a step are in "
+                  "one call.");
 }
 
 static void check_steps(void)
@@ -390,12 +393,12 @@ static void check_steps(void)
                                  "way",
                                  most),
             .found = kit_text("%u", notes->steps),
-            .cause = nested
-                         ? "These are the steps of nested loops: a task "
-                           "that has finished its cell waits for all "
-                           "others. Let it go on."
-                         : "In every step all tasks that have work left "
-                           "should measure."});
+            .cause =
+                nested ? "These are the steps of nested loops: a task "
+                         "that has finished its cell waits for all "
+                         "others. Let it go on."
+                       : "In every step all tasks that have work left "
+                         "should measure."});
 }
 
 // ---- tests ---------------------------------------------------------
@@ -436,7 +439,8 @@ static void steps(uint64_t seed)
 const struct kit_test kit_tests[] = {
     {"all", 1, "every task measures all on its way", all_points},
     {"lanes", 1, "and no others, though cells are empty", lanes},
-    {"cells", 2, "next_cell for lanes that need it, together", cells_together},
+    {"cells", 2, "next_cell for lanes that need it, together",
+     cells_together},
     {"steps", 6, "no lane waits for another", steps},
     {0},
 };

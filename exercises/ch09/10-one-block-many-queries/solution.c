@@ -70,7 +70,8 @@ void nearest_in_block(const struct sorted *sorted, double *nearest2)
                 continue;
             fill(sorted, column, row, &buffer);
             for (uint32_t s = start[0]; s < start[1]; s++)
-                nearest2[s] = search(&buffer, buffer.own + s - start[0]);
+                nearest2[s] =
+                    search(&buffer, buffer.own + s - start[0]);
         }
     //- starter
     // // Your turn: so far each point has only those of its own cell.

@@ -177,16 +177,15 @@ static void cell_by_cell(void)
 {
     const uint32_t columns = sorted.columns;
     CALL(for (uint32_t k = columns + 1;
-              k + columns + 1 < columns * sorted.rows; k++)
-             for (uint32_t s = sorted.start[k]; s < sorted.start[k + 1];
-                  s++) {
-                 double best = INFINITY;
-                 for (uint32_t r = k - columns; r <= k + columns;
-                      r += columns)
-                     for (uint32_t c = r - 1; c <= r + 1; c++)
-                         best = search_cell(s, c, best);
-                 nearest2[s] = best;
-             });
+              k + columns + 1 < columns * sorted.rows;
+              k++) for (uint32_t s = sorted.start[k];
+                        s < sorted.start[k + 1]; s++) {
+        double best = INFINITY;
+        for (uint32_t r = k - columns; r <= k + columns; r += columns)
+            for (uint32_t c = r - 1; c <= r + 1; c++)
+                best = search_cell(s, c, best);
+        nearest2[s] = best;
+    });
 }
 
 static void in_time(uint64_t seed)

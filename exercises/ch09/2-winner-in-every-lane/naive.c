@@ -13,8 +13,9 @@ struct found search(uint32_t spans, const struct span *span,
             struct lanes lanes = measure(place);
             double d2 = lanes.distance2[0];
             uint32_t j = lanes.index[0];
-            if (j != self && (d2 < found.nearest2 ||
-                              (d2 == found.nearest2 && j < found.nearest)))
+            if (j != self &&
+                (d2 < found.nearest2 ||
+                 (d2 == found.nearest2 && j < found.nearest)))
                 found = (struct found){j, d2};
         }
     return found;

@@ -241,13 +241,15 @@ static const char *wrong_cause(const struct question *q, uint32_t right,
                "points any more. What the other lanes measure is "
                "no nearer, so let them.";
     if (has_nan(q, lane_of(q, right)))
-        return "Its lane had NAN later, of which nothing is true: compare "
+        return "Its lane had NAN later, of which nothing is true: "
+               "compare "
                "whether the new one is less, not whether it is not "
                "greater.";
-    return kit_text("It was measured in lane %u. Does each lane keep its "
-                    "best from one span to the next, and do all take "
-                    "part in the end?",
-                    lane_of(q, right));
+    return kit_text(
+        "It was measured in lane %u. Does each lane keep its "
+        "best from one span to the next, and do all take "
+        "part in the end?",
+        lane_of(q, right));
 }
 
 static void ask_all(void)
@@ -289,11 +291,13 @@ static void check_lanes(void)
         measures += notes[k].measures;
     }
     if (measures > 2 * needed)
-        WRONG(.expected = kit_text("some %ju measures", (uintmax_t)needed),
+        WRONG(.expected =
+                  kit_text("some %ju measures", (uintmax_t)needed),
               .found = kit_text("%ju", (uintmax_t)measures),
-              .cause = "The answers are right, but one lane found them. "
-                       "Four points are measured at a time: let all "
-                       "four count, and go on by four places.");
+              .cause =
+                  "The answers are right, but one lane found them. "
+                  "Four points are measured at a time: let all "
+                  "four count, and go on by four places.");
 }
 
 static void check(bool count)

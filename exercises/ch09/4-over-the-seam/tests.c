@@ -163,13 +163,15 @@ static const char *too_many_cause(void)
             continue;
         if (cell_of_place[place] / grid.columns !=
             cell_of_place[place - 1] / grid.columns)
-            return kit_text("One span ends and the next begins at place %u. The last cell "
+            return kit_text("One span ends and the next begins at "
+                            "place %u. The last cell "
                             "of a row is followed in memory by the "
                             "first of the next: make one of them.",
                             place);
-        return kit_text("Two spans of a row touch at place %u: make one "
-                        "of them.",
-                        place);
+        return kit_text(
+            "Two spans of a row touch at place %u: make one "
+            "of them.",
+            place);
     }
     return "Is each of them written once?";
 }

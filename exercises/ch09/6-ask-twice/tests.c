@@ -315,8 +315,8 @@ static void check_looks(void)
         for (uint32_t s = 0; s < q->n; s++) {
             if (notes[k].asked[s] > 1)
                 WRONG(.where = tell_asking(q), .expected = tell(q, s),
-                      .found =
-                          kit_text("computed %u times", notes[k].asked[s]),
+                      .found = kit_text("computed %u times",
+                                        notes[k].asked[s]),
                       .cause = "Once is enough.");
             if (notes[k].asked[s] == 0 ||
                 single(q, s) <= least_single(q) + 0x1p-21)

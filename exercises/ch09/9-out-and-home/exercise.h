@@ -18,8 +18,8 @@ struct record get(enum array array, uint32_t place);
 void set(enum array array, uint32_t place, struct record record);
 
 // INPUT has n points, point i at place i, in cells less than n. Brings
-// them to SORTED, in the order of their cells, and where these are equal
-// in the order of their indices. n <= RECORDS_MOST.
+// them to SORTED, in the order of their cells, and where these are
+// equal in the order of their indices. n <= RECORDS_MOST.
 void go_out(uint32_t n);
 
 // SORTED has n results, in any order, each with the index of its point,

@@ -1,6 +1,7 @@
 // Both ways take two passes. Out: to buckets of cells, which are so few
-// that a line of each is in the cache, then in each bucket to the cells.
-// Home: to buckets of indices, whose places are known without a count.
+// that a line of each is in the cache, then in each bucket to the
+// cells. Home: to buckets of indices, whose places are known without a
+// count.
 #include "exercise.h"
 #include <string.h>
 

@@ -99,8 +99,7 @@ static void prepare(uint32_t count, uint32_t cells, bool home,
     n = count;
     given = kit_input("the points", n, sizeof *given);
     for (uint32_t i = 0; i < n; i++)
-        given[i] =
-            (struct record){i, random_bits(&random) % cells};
+        given[i] = (struct record){i, random_bits(&random) % cells};
     if (home)
         qsort(given, n, sizeof *given, by_cell);
     for (int a = 0; a < ARRAYS; a++)
@@ -186,8 +185,7 @@ static const char *cause(enum array target)
            "them read more often?";
 }
 
-static void check_lines(const struct kit_band *bands,
-                        enum array target)
+static void check_lines(const struct kit_band *bands, enum array target)
 {
     uint64_t fetched = 0;
     for (int a = 0; a < ARRAYS; a++)
@@ -195,8 +193,8 @@ static void check_lines(const struct kit_band *bands,
     kit_bands(
         (double)fetched / n, bands,
         (struct kit_fault){
-            .expected = kit_text("at most %g lines a point",
-                                 bands[0].most),
+            .expected =
+                kit_text("at most %g lines a point", bands[0].most),
             .found = kit_text("%.2f: of INPUT %ju lines, of ROOM %ju, "
                               "of SORTED %ju, of OUTPUT %ju",
                               (double)fetched / n,
@@ -257,7 +255,8 @@ static void home_lines(uint64_t seed)
 const struct kit_test kit_tests[] = {
     {"out", 2, "the order of the cells", out},
     {"home", 2, "each result at its point's place", home},
-    {"out-lines", 3, "three quarters of a line a point, out", out_lines},
+    {"out-lines", 3, "three quarters of a line a point, out",
+     out_lines},
     {"home-lines", 3, "six tenths of a line a point, home", home_lines},
     {0},
 };

@@ -230,7 +230,7 @@ static void check_bends(void)
     }
 }
 
-static void check_nobody_outside(void)
+static void check_none_outside(void)
 {
     for (uint32_t c = 0; c < *count; c++) {
         uint32_t i = corner[c], j = corner[(c + 1) % *count];
@@ -238,7 +238,7 @@ static void check_nobody_outside(void)
             if (*count == 1 ? same_place(i, k) : turn_of(i, j, k) >= 0)
                 continue;
             WRONG(.where = kit_point(given, k),
-                  .expected = "nobody outside of the band",
+                  .expected = "no point outside of the band",
                   .found = kit_text("this point, outside of the side "
                                     "from (%.9g, %.9g) to (%.9g, %.9g)",
                                     given.x[i], given.y[i], given.x[j],
@@ -275,8 +275,22 @@ static void check_corners(void)
     check_twice();
     check_first();
     check_bends();
-    check_nobody_outside();
+    check_none_outside();
     check_lowest();
+}
+
+// Each point is put on the stack and taken away at most twice.
+static void check_turns(void)
+{
+    check_corners();
+    if (notes->turns > 4 * (uint64_t)given.n)
+        WRONG(.expected =
+                  kit_text("at most %u calls of turn", 4 * given.n),
+              .found = kit_text("%ju", (uintmax_t)notes->turns),
+              .cause =
+                  "A point that has gone is never looked at again, "
+                  "and only those on top of the stack are in "
+                  "doubt.");
 }
 
 static uint32_t right_furthest(uint32_t i)
@@ -296,7 +310,7 @@ static bool is_corner(uint32_t i)
     return c < *count;
 }
 
-static void ask_everybody(void)
+static void query_all(void)
 {
     *count = STUDENT(find_corners)(given, corner);
     for (uint32_t i = 0; i < given.n; i++) {
@@ -311,7 +325,7 @@ static void check_furthest(void)
 {
     prepare();
     found = kit_output("the answers", given.n, sizeof *found);
-    CALL(ask_everybody());
+    CALL(query_all());
     check_indices();
     for (uint32_t i = 0; i < given.n; i++) {
         uint32_t right = right_furthest(i);
@@ -323,19 +337,20 @@ static void check_furthest(void)
               .expected = kit_point(given, right),
               .found = kit_point(given, found[i]),
               .picture = {given, {i, found[i]}, {i, right}},
-              .cause = tie ? "These tie, and the lowest index is asked "
-                             "for. The corners do not come in the "
-                             "order of their indices."
-                       : is_corner(right)
-                           ? "The right one is among the corners, and "
-                             "was not asked. Along the hull distances "
-                             "may fall and rise again."
-                           : "The right one is not among your corners: "
-                             "first of all they must be right.");
+              .cause =
+                  tie ? "These tie, and the lowest index is asked "
+                        "for. The corners do not come in the "
+                        "order of their indices."
+                  : is_corner(right)
+                      ? "The right one is among the corners, and "
+                        "was not measured. Along the hull distances "
+                        "may fall and rise again."
+                      : "The right one is not among your corners: "
+                        "first of all they must be right.");
     }
     if (notes->most_measured > *count)
         WRONG(.expected = kit_text("at most %u distances", *count),
-              .found = kit_text("%ju for one question",
+              .found = kit_text("%ju for one query",
                                 (uintmax_t)notes->most_measured),
               .cause = "Only corners need be measured, each once.");
 }
@@ -359,32 +374,25 @@ static void few(uint64_t seed)
 static void scattered(uint64_t seed)
 {
     take_random(300, 1 << 20, seed);
-    check_corners();
+    check_turns();
     take_circle(300, seed);
-    check_corners();
+    check_turns();
 }
 
 static void lattice(uint64_t seed)
 {
     take_random(200, 20, seed);
-    check_corners();
+    check_turns();
     take_random(300, 9, seed);
-    check_corners();
+    check_turns();
     take_random(30, 5, seed);
-    check_corners();
+    check_turns();
 }
 
 static void turns(uint64_t seed)
 {
     take_circle(2000, seed);
-    check_corners();
-    if (notes->turns > 4 * (uint64_t)given.n)
-        WRONG(.expected =
-                  kit_text("at most %u calls of turn", 4 * given.n),
-              .found = kit_text("%ju", (uintmax_t)notes->turns),
-              .cause = "A point that has gone is never asked again, "
-                       "and nobody else is asked for a corner than "
-                       "those on top of the stack.");
+    check_turns();
 }
 
 static void far_away(uint64_t seed)
@@ -410,10 +418,11 @@ static void ties(uint64_t seed)
 
 const struct kit_test kit_tests[] = {
     {"few", 2, "a few points, in a line, in one place", few},
-    {"scattered", 2, "300 points, and 300 on a circle", scattered},
-    {"lattice", 2, "many along the sides, many duplicates", lattice},
-    {"turns", 1, "at most four turns for each point", turns},
-    {"furthest", 2, "the furthest point, for everybody", far_away},
+    {"scattered", 2, "300 points, 300 on a circle, few turns",
+     scattered},
+    {"lattice", 2, "along the sides, duplicates, few turns", lattice},
+    {"turns", 2, "at most four turns for each point", turns},
+    {"furthest", 1, "the furthest point of all queries", far_away},
     {"ties", 1, "the lowest index of several", ties},
     {0},
 };

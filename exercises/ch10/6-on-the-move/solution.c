@@ -1,5 +1,5 @@
 // A point may stray from its cell by a margin before it is put into
-// another. Whoever searches a block trusts its border by so much less.
+// another. The border of a block is trusted by so much less.
 #include "exercise.h"
 #include <math.h>
 #include <stdbool.h>

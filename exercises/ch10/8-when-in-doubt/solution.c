@@ -1,7 +1,7 @@
-// Andrew's chains propose, and a margin decides: a point goes if it lies
-// above a side of the lower chain and below one of the upper chain, by
-// more than a millionth of the box. The square of that is far above any
-// rounding.
+// Andrew's chains propose, and a margin decides: a point goes if it
+// lies above a side of the lower chain and below one of the upper
+// chain, by more than a millionth of the box. The square of that is far
+// above any rounding.
 #include "exercise.h"
 #include <math.h>
 #include <stdbool.h>
@@ -55,7 +55,8 @@ static void note_near(struct place *place, uint32_t n, double margin,
         chain[count++] = k;
     }
     for (uint32_t k = 0; k < n; k++) {
-        while (side + 2 < count && place[chain[side + 1]].x < place[k].x)
+        while (side + 2 < count &&
+               place[chain[side + 1]].x < place[k].x)
             side++;
         if (count < 2 ||
             !is_inside(place, k, &chain[side], margin, sign))

@@ -12,8 +12,9 @@ static uint32_t *kept, *count;
 static void take(uint32_t n)
 {
     kit_next_case();
-    points = (struct points){n, kit_input("points.x", n, sizeof(double)),
-                             kit_input("points.y", n, sizeof(double))};
+    points =
+        (struct points){n, kit_input("points.x", n, sizeof(double)),
+                        kit_input("points.y", n, sizeof(double))};
 }
 
 static void scatter(uint32_t n, double scale, uint64_t seed)
@@ -143,10 +144,11 @@ static void check(uint32_t most)
             continue;
         WRONG(.where = kit_text("the furthest from %s",
                                 kit_point(points, i)),
-              .expected = kit_text("point %u at (%.17g, %.17g), squared "
-                                   "distance %.17g",
-                                   right, points.x[right],
-                                   points.y[right], between(i, right)),
+              .expected =
+                  kit_text("point %u at (%.17g, %.17g), squared "
+                           "distance %.17g",
+                           right, points.x[right], points.y[right],
+                           between(i, right)),
               .found = kit_text("of those kept, point %u at (%.17g, "
                                 "%.17g), squared distance %.17g",
                                 best, points.x[best], points.y[best],

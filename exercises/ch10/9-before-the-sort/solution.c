@@ -44,8 +44,8 @@ static int make_sides(struct points points, const uint32_t *extreme,
         const double a = points.y[i] - points.y[j];
         const double b = points.x[j] - points.x[i];
         if (a != 0 || b != 0)
-            side[sides++] = (struct side){
-                a, b, a * points.x[i] + b * points.y[i]};
+            side[sides++] =
+                (struct side){a, b, a * points.x[i] + b * points.y[i]};
     }
     return sides;
 }

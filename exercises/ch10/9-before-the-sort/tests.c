@@ -13,8 +13,9 @@ static uint32_t *kept, *count;
 static void take(uint32_t n)
 {
     kit_next_case();
-    points = (struct points){n, kit_input("points.x", n, sizeof(double)),
-                             kit_input("points.y", n, sizeof(double))};
+    points =
+        (struct points){n, kit_input("points.x", n, sizeof(double)),
+                        kit_input("points.y", n, sizeof(double))};
     kept = kit_output("kept", n, sizeof *kept);
     count = kit_output("how many", 1, sizeof *count);
 }
@@ -48,7 +49,8 @@ static void scatter(uint32_t n, enum shape shape, double size,
     take(n);
     for (uint32_t i = 0; i < n; i++)
         place(i, shape, size, &random);
-    for (uint32_t tip = 0; shape == DIAMOND && tip < 4 && n > 9; tip++) {
+    for (uint32_t tip = 0; shape == DIAMOND && tip < 4 && n > 9;
+         tip++) {
         points.x[2 * tip] = tip % 2 ? 0 : tip ? size : -size;
         points.y[2 * tip] = tip % 2 ? tip > 1 ? size : -size : 0;
     }
@@ -208,8 +210,7 @@ static void sort_all(void)
 {
     CALL({
         for (uint32_t i = 0; i < points.n; i++)
-            sorted[i] =
-                (struct ordered){points.x[i], points.y[i], i};
+            sorted[i] = (struct ordered){points.x[i], points.y[i], i};
         qsort(sorted, points.n, sizeof *sorted, compare);
     });
 }
@@ -222,15 +223,15 @@ static void in_time(uint64_t seed)
     double ratio =
         kit_race((struct kit_race){theirs, sort_all, .cores = 1});
     check_kept();
-    kit_bands(
-        ratio,
-        (struct kit_band[]){{0.3, 6}, {0.5, 4}, {0.8, 2}, {0, 0}},
-        (struct kit_fault){
-            .expected = "three tenths of the time of a sort",
-            .found = kit_text("%.2f of it", ratio),
-            .cause = "To throw points away, none has to be sorted. Go "
-                     "through all of them once to find a few that are "
-                     "far out, and once more to compare."});
+    kit_bands(ratio,
+              (struct kit_band[]){{0.3, 6}, {0.5, 4}, {0.8, 2}, {0, 0}},
+              (struct kit_fault){
+                  .expected = "three tenths of the time of a sort",
+                  .found = kit_text("%.2f of it", ratio),
+                  .cause =
+                      "To throw points away, none has to be sorted. Go "
+                      "through all of them once to find a few that are "
+                      "far out, and once more to compare."});
 }
 
 const struct kit_test kit_tests[] = {

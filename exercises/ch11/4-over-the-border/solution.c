@@ -11,7 +11,7 @@ static bool within(const struct halved *p, double border, double y)
     return dx * dx + dy * dy < p->nearest2;
 }
 
-static void meet(struct halved *p, double d2)
+static void keep_less(struct halved *p, double d2)
 {
     if (d2 < p->nearest2)
         p->nearest2 = d2;
@@ -31,12 +31,12 @@ void join(struct halved *left, uint32_t lefts, struct halved *right,
         for (uint32_t j = at; j < rights; j++) {
             if (!within(p, border, right[j].y))
                 break;
-            meet(p, measure(i, j));
+            keep_less(p, measure(i, j));
         }
         for (uint32_t j = at; j-- > 0;) {
             if (!within(p, border, right[j].y))
                 break;
-            meet(p, measure(i, j));
+            keep_less(p, measure(i, j));
         }
     }
     at = 0;
@@ -47,16 +47,16 @@ void join(struct halved *left, uint32_t lefts, struct halved *right,
         for (uint32_t i = at; i < lefts; i++) {
             if (!within(q, border, left[i].y))
                 break;
-            meet(q, measure(i, j));
+            keep_less(q, measure(i, j));
         }
         for (uint32_t i = at; i-- > 0;) {
             if (!within(q, border, left[i].y))
                 break;
-            meet(q, measure(i, j));
+            keep_less(q, measure(i, j));
         }
     }
     //- starter
-    // // Your turn: so far all of the left meet one of the right.
+    // // Your turn: so far all of the left have one of the right.
     // (void)border;
     // for (uint32_t i = 0; i < lefts; i++) {
     //     double d2 = measure(i, rights / 2);

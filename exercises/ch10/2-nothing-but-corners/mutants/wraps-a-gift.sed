@@ -1,5 +1,5 @@
 # Asks turn about all points for every corner.
-# expect: A point that has gone is never asked again
+# expect: A point that has gone is never looked at again
 # why: Gift wrapping is what comes to mind first, and for uniform points it is quick enough.
 /^uint32_t find_corners/i\
 static uint32_t wrap(struct points points, uint32_t *corner, uint32_t i)\

@@ -1,4 +1,4 @@
 # Measures from the border to the wrong point.
-# expect: not met its nearest
+# expect: and was not measured
 # why: The border is 0 in their own first test.
 s/double dx = border - p->x/double dx = border - 2 * p->x/
