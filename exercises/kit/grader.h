@@ -4,6 +4,7 @@
 #pragma once
 #include "kit.h"
 #include <setjmp.h>
+#include <stdatomic.h>
 #include <stdio.h>
 
 // None of these names can be seen from the student's library.
@@ -24,8 +25,10 @@ struct array {
 // What the student's process leaves behind, besides the outputs.
 struct trace {
     bool loaded, finished;
-    char problem[256]; // why its file cannot be used
-    char *address;     // of an access that the machine refused
+    char problem[256];   // why its file cannot be used
+    char *address;       // of an access that the machine refused
+    _Atomic int threads; // that came to kit_at_work
+    bool alone;          // the first of them stayed
 };
 
 struct grader {
@@ -52,6 +55,7 @@ struct grader {
     size_t text_length;
     const char *status;
     struct kit_fault fault;
+    double ratio; // to the reference's time; 0 if that was not taken
     jmp_buf end;
 };
 extern struct grader grader;

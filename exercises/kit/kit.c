@@ -493,6 +493,7 @@ static void run_test(const struct kit_test *test)
     grader.status = "passed";
     grader.fault = (struct kit_fault){.where = NULL};
     grader.given[0] = '\0';
+    grader.ratio = 0;
     if (setjmp(grader.end) == 0) {
         if (grader.lost)
             broken(grader.verdict, grader.lost, NULL);
@@ -510,7 +511,9 @@ static void run_test(const struct kit_test *test)
     put_cell(grader.fault.where, '\t');
     put_cell(grader.fault.expected, '\t');
     put_cell(grader.fault.found, '\t');
-    put_cell(grader.fault.cause, '\n');
+    put_cell(grader.fault.cause, '\t');
+    put_cell(grader.ratio > 0 ? kit_text("%.4g", grader.ratio) : "",
+             '\n');
     fflush(grader.scores);
     kit_next_case();
 }
@@ -540,7 +543,8 @@ static void prepare(const char *scores)
     if (!grader.lost && grader.file < 0)
         fail("cannot open %s", grader.library);
     fprintf(grader.scores, "test\tpoints\tof\tstatus\tabout\tseed\t"
-                           "given\twhere\texpected\tfound\tcause\n");
+                           "given\twhere\texpected\tfound\tcause\t"
+                           "ratio\n");
 }
 
 static bool read_options(int argc, char **argv)

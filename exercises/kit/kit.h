@@ -118,6 +118,22 @@ double kit_race(struct kit_race race);
 double kit_seconds(bool by_clock);
 bool kit_is_sanitized(void);
 
+// ---- threads -------------------------------------------------------
+
+// A given function of an exercise with threads calls this first, with
+// the number of threads that were asked for. The first thread that
+// comes waits half a second for another one.
+void kit_at_work(int threads);
+
+// Of the last CALL: how many threads came, or 1 if the first one waited
+// in vain. So it is 1 where one thread does all the work, and where all
+// of the work stands in a critical region.
+int kit_threads(void);
+
+// After CALL: the test fails if so many threads were asked for and one
+// did all the work, or more came than were asked for.
+void kit_expect_threads(int threads);
+
 // ---- text ----------------------------------------------------------
 
 // Text for a fault; lasts as long as the arrays.

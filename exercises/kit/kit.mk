@@ -25,9 +25,10 @@ slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thr
 
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
+naive      := $(patsubst exercises/%/naive.c,%,$(wildcard exercises/*/*/naive.c))
 # The driver of experiments knows all algorithms, and no exercise needs it.
 modules    := $(patsubst code/%.c,%,$(filter-out %/experiment.c,$(wildcard code/common/*.c)))
-kit_modules := kit judge confine marks slow_motion
+kit_modules := kit judge confine marks threads slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 
 # ---- graders -------------------------------------------------------
@@ -74,7 +75,8 @@ mutants := $(foreach e,$(programmed),$(patsubst exercises/%.sed,$(K)/%.result,\
 results := $(exercises:%=$(K)/%/text.result) \
 	$(programmed:%=$(K)/%/starter.result) \
 	$(programmed:%=$(K)/%/solution.result) \
-	$(programmed:%=$(K)/%/rival.result) $(mutants)
+	$(programmed:%=$(K)/%/rival.result) $(naive:%=$(K)/%/naive.result) \
+	$(mutants)
 
 check: $(results)
 	@cat $(results)
@@ -95,6 +97,10 @@ $(K)/$(1)/solution.result: exercises/$(1)/solution.c $(kit) \
 $(K)/$(1)/rival.result: exercises/$(1)/solution.c $(kit) \
 		$(K)/plain/$(1)/grader
 	exercises/kit/check rival $(1) >$$@
+
+$(K)/$(1)/naive.result: exercises/$(1)/naive.c $(kit) \
+		$(K)/optimized/$(1)/grader
+	exercises/kit/check naive $(1) >$$@
 
 $(K)/$(1)/mutants/%.result: exercises/$(1)/mutants/%.sed $(kit) \
 		exercises/$(1)/solution.c $(K)/optimized/$(1)/grader

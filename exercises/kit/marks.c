@@ -1,5 +1,5 @@
 // Marks that rest on how something grows, and on time.
-#include "kit.h"
+#include "grader.h"
 #include <math.h>
 #include <omp.h>
 
@@ -73,7 +73,7 @@ double kit_race(struct kit_race race)
         take(&student, kit_seconds(race.cores > 1));
         if (trial + 1 >= TRIALS_MIN && agree(student) &&
             agree(reference))
-            return student.first / reference.first;
+            return grader.ratio = student.first / reference.first;
     }
     kit_not_graded("this machine is too noisy: no three runs took the "
                    "same time");

@@ -29,6 +29,7 @@ enum column {
     EXPECTED,
     FOUND,
     CAUSE,
+    RATIO,
     COLUMNS
 };
 
@@ -206,7 +207,7 @@ static char *said(const struct test *test, bool first)
         snprintf(text, sizeof text, "%s\n", test->cell[STATUS]);
     if (untested(test) && !first)
         return text;
-    for (int k = SEED; k < COLUMNS; k++)
+    for (int k = SEED; k <= CAUSE; k++)
         if (*test->cell[k] && length < sizeof text)
             length += snprintf(text + length, sizeof text - length,
                                "%s: %s\n", labels[k], test->cell[k]);
@@ -267,6 +268,42 @@ static void write_json_test(FILE *file, const struct exercise *exercise,
     fprintf(file, "}}%s\n", last ? "" : ",");
 }
 
+// Only who is right may be fast: all other tests have passed.
+static bool has_place(const struct exercise *exercise)
+{
+    bool right = true;
+    for (int t = 0; t < exercise->count; t++) {
+        const struct test *test = &exercise->tests[t];
+        right &= *test->cell[RATIO] || passed(test) || !graded(test);
+    }
+    return right;
+}
+
+// The time of each race, as a multiple of the reference's.
+static void write_leaderboard(FILE *file,
+                              const struct exercise *exercises,
+                              int count)
+{
+    int entries = 0;
+    for (int e = 0; e < count; e++)
+        for (int t = 0; t < exercises[e].count; t++) {
+            const struct test *test = &exercises[e].tests[t];
+            char name[512];
+            if (!*test->cell[RATIO] || !has_place(&exercises[e]))
+                continue;
+            snprintf(name, sizeof name, "%s %s: %s", exercises[e].key,
+                     exercises[e].title, test->cell[ABOUT]);
+            fputs(entries++ ? ",\n    {"
+                            : "  \"leaderboard\": [\n    {",
+                  file);
+            put_json(file, "name", name);
+            fprintf(file, ", \"value\": %s, \"order\": \"asc\"}",
+                    test->cell[RATIO]);
+        }
+    if (entries > 0)
+        fputs("\n  ],\n", file);
+}
+
 static void write_json(const char *folder, const char *note,
                        const struct exercise *exercises, int count)
 {
@@ -288,7 +325,9 @@ static void write_json(const char *folder, const char *note,
         fprintf(file, "%s\"%s\": {\"points\": %d, \"of\": %d}",
                 e > 0 ? ", " : "", exercises[e].key,
                 exercises[e].points, exercises[e].of);
-    fputs("},\n  \"tests\": [\n", file);
+    fputs("},\n", file);
+    write_leaderboard(file, exercises, count);
+    fputs("  \"tests\": [\n", file);
     for (int e = 0; e < count; e++)
         for (int t = 0; t < exercises[e].count; t++)
             write_json_test(file, &exercises[e], t,

@@ -183,6 +183,10 @@ is() {
 timed() {
     is "$@" || is "$1" 0 0 "not graded" "too noisy"
 }
+timed_board() {
+    is equal 0 0 "not graded" "too noisy" ||
+        grep -q '{"name": "98.1 Marks: as fast", "value": [012][.0-9]*, "order": "asc"}' said
+}
 check "as fast: all points" timed equal 2 2 passed ""
 check "slower: some of them" timed slower 1 2 wrong times
 check "a noisy machine is told" is noisy 0 0 "not graded" "too noisy"
@@ -194,3 +198,12 @@ check "what is not graded is no loss" awk '
     /"98.1": / { split($0, a, /: /); score = a[3] + 0 }
     END { exit !(score >= 7 && score < 9) }' said
 check "nor a failure" grep -q '<skipped message="not graded' build/grade/junit.xml
+
+# ---- the leaderboard -----------------------------------------------------
+board() {
+    grep -A 9 '"leaderboard": \[' build/grade/results.json
+}
+check "no place for who is not right" [ -z "$(board)" ]
+TEST="equal linear" exercises/kit/grade >said 2>&1
+board >said
+check "a place for who is" timed_board

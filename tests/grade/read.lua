@@ -40,6 +40,12 @@ local function check_results(results)
     if test.score > test.max_score then error("too many points", 0) end
     total = total + test.score
   end
+  for _, entry in ipairs(results.leaderboard or {}) do
+    if type(entry.name) ~= "string" or type(entry.value) ~= "number" or
+      entry.order ~= "asc" then
+      error("the leaderboard", 0)
+    end
+  end
   if type(results.score) ~= "number" or type(results.output) ~= "string" then
     error("no score, or no output", 0)
   end
