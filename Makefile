@@ -183,7 +183,8 @@ figures := $(patsubst book/figures/%.gp,$(BUILD)/figures/%.pdf,\
 	$(filter-out book/figures/style.gp,$(wildcard book/figures/*.gp)))
 drawings := $(patsubst book/drawings/%.tex,$(BUILD)/drawings/%.pdf,\
 	$(filter-out book/drawings/style.tex,$(wildcard book/drawings/*.tex)))
-press   := $(shell find book/press $(wildcard book/manual) book/*.md book/*.bib exercises -type f)
+press   := CHANGES.md \
+	$(shell find book/press $(wildcard book/manual) book/*.md book/*.bib exercises -type f)
 
 # A figure is drawn from the tables that its file names.
 tables := $(shell grep -o '/[a-z0-9-]*\.tsv' book/figures/*.gp)
@@ -220,6 +221,45 @@ drawings: $(drawings) $(drawings:.pdf=.svg)
 $(BUILD)/drawings/%.svg: $(BUILD)/drawings/%.pdf
 	$(call say,draw)
 	$(Q)pdftocairo -svg $< $@
+
+# A picture for slides of one's own, from the PDF of the book.
+pictures := $(patsubst $(BUILD)/%.pdf,$(BUILD)/pictures/%,$(figures) $(drawings))
+$(pictures:%=%.svg): $(BUILD)/pictures/%.svg: $(BUILD)/%.pdf
+	@mkdir -p $(@D)
+	$(Q)pdftocairo -svg $< $@
+$(pictures:%=%.png): $(BUILD)/pictures/%.png: $(BUILD)/%.pdf
+	@mkdir -p $(@D)
+	$(Q)pdftocairo -png -r 300 -singlefile $< $(@:.png=)
+
+#: drawings and plots as SVG and PNG, under build/pictures
+pictures: $(pictures:%=%.svg) $(pictures:%=%.png)
+
+# ---- slides --------------------------------------------------------
+#: the slides of chapter N: build/slides/chNN.pdf
+slidesN:
+	@echo "say make slides1, make slides2, ..., or make slides for all"
+
+# Plots are drawn anew for slides, with larger letters.
+$(BUILD)/slides/figures/%.pdf: book/figures/%.gp book/figures/style.gp | $(BUILD)/setup/book
+	@mkdir -p $(@D)
+	$(call say,draw)
+	$(Q)gnuplot -e "format = 'slide'; output = '$@'; data = 'book/data'" $<
+
+slides := $(patsubst chapters/slides/%.md,%,$(wildcard chapters/slides/ch*.md))
+define slides_rule
+$(BUILD)/slides/$(1).pdf: chapters/slides/$(1).md $(wildcard chapters/$(1)-*.md) \
+		$(patsubst $(BUILD)/figures/%,$(BUILD)/slides/figures/%,$(figures)) \
+		$(drawings) $(press) $(sources) $(wildcard book/data/*.tsv) $(programs) \
+		| $(BUILD)/setup/book
+	$$(call say,print)
+	$$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --slides $$< --build $(BUILD)
+.PHONY: slides$(patsubst ch0%,%,$(patsubst ch1%,1%,$(1)))
+slides$(patsubst ch0%,%,$(patsubst ch1%,1%,$(1))): $(BUILD)/slides/$(1).pdf
+endef
+$(foreach s,$(slides),$(eval $(call slides_rule,$(s))))
+
+#: the slides of all chapters
+slides: $(slides:%=$(BUILD)/slides/%.pdf)
 
 #: the pictures and the numbers in README.md, from book/data
 readme: | $(BUILD)/setup/book
@@ -381,5 +421,5 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 -include $(wildcard $(patsubst %,$(BUILD)/plain/%.d,$(basename $(compiled))) \
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
-.PHONY: all programs test test-all check-book figures drawings readme chapterN measure measureN evidence
+.PHONY: all programs test test-all check-book figures drawings pictures slides slidesN readme chapterN measure measureN evidence
 .PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help

@@ -1,5 +1,6 @@
 # The one style of all figures. The caller sets
-#   format   pdf, svg, png or dumb (the terminal)
+#   format   pdf, svg, png, dumb (the terminal) or slide (a PDF with
+#            letters that can be read from afar)
 #   output   the file to write; unused for dumb
 #   data     the folder of the tables
 # A figure may set `height` (in inches) before it loads this file; all
@@ -7,9 +8,12 @@
 # not only in color, so that they survive a black and white printer.
 if (!exists("height")) height = 2.9
 width = 4.7
+if (format eq "slide") width = 5.6
 
 if (format eq "pdf") set terminal pdfcairo size width,height \
   font "TeX Gyre Pagella,9" fontscale 0.75 linewidth 1 rounded
+if (format eq "slide") set terminal pdfcairo size width,height \
+  font "TeX Gyre Pagella,10" fontscale 0.85 linewidth 1.2 rounded
 if (format eq "svg") set terminal svg size width*110,height*110 \
   font "serif,12" background "white" dynamic
 if (format eq "png") set terminal pngcairo size width*200,height*200 \

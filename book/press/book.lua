@@ -232,7 +232,7 @@ end
 
 -- Chapters that front.md lists as "undeclared" are not yet held to it.
 local function check_declared(meta)
-  if job.sheet or job.manual then return end
+  if job.sheet or job.manual or job.slides then return end
   local spared = {}
   for _, id in ipairs(meta.undeclared or {}) do
     spared[stringify(id)] = true
@@ -243,6 +243,8 @@ end
 function Pandoc(doc)
   if job.sheet then
     doc.blocks = sheet.assemble(job, doc.meta)
+  elseif job.slides then
+    doc.blocks = require "slides".assemble(job, doc.meta)
   elseif job.manual then
     doc.blocks = manual.assemble(job, doc.meta)
   elseif job.only then
@@ -261,9 +263,11 @@ function Pandoc(doc)
   local measured = values.measured()
   doc.meta.measured = measured and pandoc.MetaString(measured)
   doc.meta.nocite = also_cited()
+  doc.meta.version = job.version and pandoc.MetaString(job.version)
   doc.meta.emblem = pandoc.MetaInlines { pandoc.RawInline("latex", emblem) }
   doc.meta.figures = pandoc.MetaInlines { pandoc.RawInline("latex",
-    ("{%s/figures/}{%s/drawings/}"):format(job.build, job.build)) }
+    ("{%s/figures/}{%s/drawings/}"):format(job.slides
+      and job.build .. "/slides" or job.build, job.build)) }
   context.check_references()
   check_declared(doc.meta)
   files.write(job.folder .. "/faults", faults.report())

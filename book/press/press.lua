@@ -3,6 +3,7 @@
 --   texlua book/press/press.lua [--solutions] [--check | --draft]
 --                               [--only NAME] [--root DIR] [--build DIR]
 --   texlua book/press/press.lua --sheet PDF TITLE DUE HOW EXERCISE.MD...
+--   texlua book/press/press.lua --slides SLIDES.MD [--check | --draft]
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
 -- of every chapter. Programs must have been built and figures drawn
@@ -13,7 +14,8 @@
 -- in two runs of LaTeX: pages elsewhere are then printed as ??.
 -- --solutions makes the instructor's manual, BUILD/solutions.pdf, instead.
 -- --sheet prints chosen exercises as an assignment, which ends with the
--- Markdown file HOW.
+-- Markdown file HOW. --slides makes BUILD/slides/ch04.pdf of a chapter's
+-- slides; of a folder, --check looks at all.
 local lfs = require "lfs"
 
 local here = arg[0]:match("^(.*)/[^/]*$") or "."
@@ -36,7 +38,7 @@ end
 
 -- ---- the command line -------------------------------------------------
 local root, build, mode, sheet = lfs.currentdir(), nil, nil, nil
-local manual, only = false, nil
+local manual, only, slides = false, nil, nil
 local i = 1
 while arg[i] do
   if arg[i] == "--check" or arg[i] == "--draft" then
@@ -46,6 +48,9 @@ while arg[i] do
   elseif arg[i] == "--only" and arg[i + 1] then
     i = i + 1
     only = arg[i]
+  elseif arg[i] == "--slides" and arg[i + 1] then
+    i = i + 1
+    slides = arg[i]
   elseif arg[i] == "--root" and arg[i + 1] then
     i = i + 1
     root = absolute(arg[i])
@@ -93,6 +98,7 @@ local function make_folder(path)
 end
 
 local folder = build .. (sheet and "/sheet" or manual and "/solutions"
+  or slides and "/slides/" .. files.id(slides)
   or only and "/draft-" .. only or "/book")
 make_folder(folder)
 
@@ -106,7 +112,11 @@ local job = {
   chapters = below("chapters", "^chapters/ch%d%d[^/]*%.md$"),
   appendices = below("chapters", "^chapters/appendix%-[^/]*%.md$"),
   glossary = "book/glossary.md",
+  -- The newest in the list of changes.
+  version = (files.read("CHANGES.md") or ""):match("\n## *([^%s,]+)"),
   exercises = {}, headers = {}, sheet = sheet, only = only,
+  slides = slides and (lfs.attributes(slides, "mode") == "directory"
+    and below(slides, "/ch%d%d[^/]*%.md$") or { slides }),
 }
 if manual then
   job.manual = { front = "book/manual/front.md",
@@ -125,7 +135,7 @@ for _, path in ipairs(below("code/common", "%.h$")) do
   table.insert(job.headers, '"' .. path:gsub("^code/", "") .. '"')
 end
 for _, path in ipairs { job.front, job.bibliography,
-  job.manual and job.manual.front } do
+  job.manual and job.manual.front or job.slides and job.slides[1] } do
   if not files.exists(path) then faults.add(path, 1, "this file is missing") end
 end
 if only then
@@ -171,8 +181,9 @@ local function weave()
       --lua-filter='%s/book.lua' --citeproc --bibliography='%s' \
       --lua-filter='%s/bibliography.lua' -M link-citations=true \
       --top-level-division=chapter --wrap=preserve -t latex \
-      --template='%s/template.tex' -o '%s/book.tex'
-  ]]):format(folder, folder, here, job.bibliography, here, here, folder))
+      --template='%s/%s.tex' -o '%s/book.tex'
+  ]]):format(folder, folder, here, job.bibliography, here, here,
+    slides and "slides" or "template", folder))
   local found = files.read(folder .. "/faults")
   if not good or not found then
     io.stderr:write(found or "", "press: pandoc failed\n")
@@ -195,20 +206,22 @@ weave()
 if mode == "--check" then os.exit(0) end
 files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
 local chapters = {}
-for _, path in ipairs((sheet or manual or only) and {} or job.chapters) do
+for _, path in ipairs((sheet or manual or only or slides) and {}
+  or job.chapters) do
   table.insert(chapters, about(path))
 end
 local sources = below("exercises", "/exercise%.md$")
 for _, list in ipairs { job.code, job.chapters, job.appendices, job.data,
-  job.manual and job.manual.texts or {},
+  job.manual and job.manual.texts or {}, job.slides or {},
   { job.front, job.bibliography } } do
   table.move(list, 1, #list, #sources + 1, sources)
 end
-typeset.run(folder, chapters, sources, only and 2)
+typeset.run(folder, chapters, sources, (only or slides) and 2)
 local noted = faults.report_notes()
 if noted ~= "" then io.stderr:write(noted, "\n") end
 stop_at(faults.report())
-local pdf = sheet and sheet.pdf or build .. (only and "/draft-" .. only
+local pdf = sheet and sheet.pdf or slides and folder .. ".pdf"
+  or build .. (only and "/draft-" .. only
   .. ".pdf" or mode == "--draft" and "/draft.pdf"
   or manual and "/solutions.pdf" or "/near-and-far.pdf")
 if not os.rename(folder .. "/book.pdf", pdf) then os.exit(1) end

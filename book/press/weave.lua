@@ -41,7 +41,8 @@ local code_attributes = {
 }
 
 -- A text of another kind has blocks of its own.
-local weave = { code = code, code_attributes = code_attributes }
+local weave = { block = block, code = code,
+  code_attributes = code_attributes }
 
 -- After a listing, a small letter goes on with the sentence.
 local function goes_on(x, previous)

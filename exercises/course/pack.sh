@@ -1,5 +1,5 @@
 # What goes into the archives for students and for graders. Sourced by
-# `sheet` and `handout`, in the project's root.
+# `sheet`, `handout` and `release`, in the project's root.
 . exercises/kit/common.sh
 course=exercises/course
 
@@ -20,6 +20,36 @@ give_kit() {
     for mine in check README.md starter.awk; do
         rm "$1/$kit/$mine"
     done
+}
+
+# give_book TO: the student's edition of the whole project, without
+# solutions, model answers, mutants and what only instructors need.
+give_book() {
+    mkdir -p "$1/tests" || die "cannot write to $1"
+    cp -R code chapters book LICENSE CITATION.cff CHANGES.md \
+        CONTRIBUTING.md Makefile setup .clang-format "$1" ||
+        die "cannot copy the book"
+    rm -rf "$1/book/manual"
+    # The tests of exercises, of grading and of courses need solutions.
+    for folder in tests/*; do
+        case ${folder#tests/} in
+        exercises | grade | sheet | manual | release | export | check-release) ;;
+        *) cp -R "$folder" "$1/tests" ;;
+        esac
+    done
+    for folder in exercises/ch*/*/; do
+        give_exercise "${folder%/}" "$1"
+    done
+    give_kit "$1"
+    awk '/^<!-- Editions/ { hidden = 1 }
+        /^## / { hidden = /^## For a course/ }
+        /^\| `exercises\/` / {
+            $0 = "| `exercises/` | a folder an exercise: text, tests, starter; `kit/` runs them |"
+        }
+        !hidden
+        /^<!-- The editions end/ { hidden = 0 }' README.md >"$1/README.md"
+    (cd "$1" && find . -name '*~' -o -name '.*.sw?') |
+        while IFS= read -r left; do rm "$1/$left"; done
 }
 
 # pack_tar FOLDER NAME: NAME.tar.gz in FOLDER from the folder NAME there.

@@ -13,8 +13,8 @@ copy=$place/copy
 sheets=$copy/build/sheets
 mkdir -p "$copy/exercises" "$place/bin"
 cd "$root" || exit 1
-cp -R book chapters code tests LICENSE CONTRIBUTING.md README.md Makefile \
-    setup .clang-format "$copy"
+cp -R book chapters code tests LICENSE CITATION.cff CHANGES.md CONTRIBUTING.md \
+    README.md Makefile setup .clang-format "$copy"
 cp -R exercises/kit exercises/course exercises/ch04 "$copy/exercises"
 cd "$copy" || exit 1
 BUILD=build
