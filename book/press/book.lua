@@ -232,7 +232,9 @@ end
 
 -- Chapters that front.md lists as "undeclared" are not yet held to it.
 local function check_declared(meta)
-  if job.sheet or job.manual or job.slides then return end
+  if job.sheet or job.manual or job.slides or job.export then
+    return
+  end
   local spared = {}
   for _, id in ipairs(meta.undeclared or {}) do
     spared[stringify(id)] = true
@@ -243,6 +245,8 @@ end
 function Pandoc(doc)
   if job.sheet then
     doc.blocks = sheet.assemble(job, doc.meta)
+  elseif job.export then
+    doc.blocks = require "export".assemble(job)
   elseif job.slides then
     doc.blocks = require "slides".assemble(job, doc.meta)
   elseif job.manual then

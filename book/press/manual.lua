@@ -2,12 +2,14 @@
 -- plans of a course, and every exercise with all that the book keeps
 -- back. What is numbered in the book has its number there.
 local context = require "context"
+local exam = require "exam"
 local exercises = require "exercises"
 local faults = require "faults"
 local files = require "files"
 local latex = require "latex"
 local listing = require "listing"
 local numbering = require "numbering"
+local parts = require "parts"
 local source = require "source"
 local weave = require "weave"
 
@@ -142,6 +144,39 @@ local function overview(list)
     table.concat(lines, "\n"))
 end
 
+-- ---- what each chapter teaches ----------------------------------------
+-- Its aims and what it needs, as its own head tells them.
+local function teaches(path)
+  local chapter = parts.read(context.book.job, path)
+  local title = latex.prose(pandoc.utils.stringify(chapter.title))
+  local blocks = pandoc.List { raw_block("\\addsec{%d\\enskip %s}",
+    chapter.number, title) }
+  blocks:extend(parts.quote(chapter, chapter.aims))
+  blocks:extend(parts.quote(chapter, chapter.needs))
+  return blocks
+end
+
+local function aims(job)
+  local blocks = pandoc.List { raw_block("\\addchap{What each chapter "
+    .. "teaches and needs}At the end of a chapter, students can do what "
+    .. "stands here: its own head says so.\\par") }
+  for _, path in ipairs(job.chapters) do blocks:extend(teaches(path)) end
+  return blocks
+end
+
+-- ---- the exam -----------------------------------------------------------
+local function questions(job)
+  if #job.exams == 0 then return pandoc.List() end
+  local blocks = pandoc.List { raw_block("\\addchap{Exam questions}") }
+  for _, path in ipairs(job.exams) do
+    blocks:insert(raw_block("\\addsec{Chapter %d}",
+      tonumber(files.id(path):sub(3))))
+    blocks:extend(exam.printed(path))
+  end
+  return blocks
+end
+
+-- ---- a text ---------------------------------------------------------------
 -- One of the texts. A plan's second-level titles name its weeks, and a
 -- table of them stands before the first.
 local function chapter(path)
@@ -303,7 +338,11 @@ function manual.assemble(job, meta)
   local blocks = pandoc.List { numbering.latex(numbers),
     raw_block("\\frontmatter\\makebook\\mainmatter") }
   blocks:insert(raw_block("\\openpart{1}{The course}"))
-  for _, path in ipairs(job.manual.texts) do blocks:extend(chapter(path)) end
+  for i, path in ipairs(job.manual.texts) do
+    if i == 2 then blocks:extend(aims(job)) end
+    blocks:extend(chapter(path))
+  end
+  blocks:extend(questions(job))
   blocks:insert(raw_block("\\openpart{2}{The exercises}"))
   for i, path in ipairs(job.chapters) do
     if #read[i] > 0 then blocks:extend(solutions(path, read[i])) end

@@ -4,6 +4,7 @@
 --                               [--only NAME] [--root DIR] [--build DIR]
 --   texlua book/press/press.lua --sheet PDF TITLE DUE HOW EXERCISE.MD...
 --   texlua book/press/press.lua --slides SLIDES.MD [--check | --draft]
+--   texlua book/press/press.lua --export DIR
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
 -- of every chapter. Programs must have been built and figures drawn
@@ -15,7 +16,8 @@
 -- --solutions makes the instructor's manual, BUILD/solutions.pdf, instead.
 -- --sheet prints chosen exercises as an assignment, which ends with the
 -- Markdown file HOW. --slides makes BUILD/slides/ch04.pdf of a chapter's
--- slides; of a folder, --check looks at all.
+-- slides; of a folder, --check looks at all. --export writes exam questions
+-- and exercises for courses' systems to DIR, in which is a folder canvas.
 local lfs = require "lfs"
 
 local here = arg[0]:match("^(.*)/[^/]*$") or "."
@@ -38,7 +40,7 @@ end
 
 -- ---- the command line -------------------------------------------------
 local root, build, mode, sheet = lfs.currentdir(), nil, nil, nil
-local manual, only, slides = false, nil, nil
+local manual, only, slides, export = false, nil, nil, nil
 local i = 1
 while arg[i] do
   if arg[i] == "--check" or arg[i] == "--draft" then
@@ -51,6 +53,9 @@ while arg[i] do
   elseif arg[i] == "--slides" and arg[i + 1] then
     i = i + 1
     slides = arg[i]
+  elseif arg[i] == "--export" and arg[i + 1] then
+    i = i + 1
+    export, mode = absolute(arg[i]), "--check"
   elseif arg[i] == "--root" and arg[i + 1] then
     i = i + 1
     root = absolute(arg[i])
@@ -98,7 +103,7 @@ local function make_folder(path)
 end
 
 local folder = build .. (sheet and "/sheet" or manual and "/solutions"
-  or slides and "/slides/" .. files.id(slides)
+  or slides and "/slides/" .. files.id(slides) or export and "/exported"
   or only and "/draft-" .. only or "/book")
 make_folder(folder)
 
@@ -115,6 +120,7 @@ local job = {
   -- The newest in the list of changes.
   version = (files.read("CHANGES.md") or ""):match("\n## *([^%s,]+)"),
   exercises = {}, headers = {}, sheet = sheet, only = only,
+  export = export, exams = below("book/manual/exam", "/ch%d%d[^/]*%.md$"),
   slides = slides and (lfs.attributes(slides, "mode") == "directory"
     and below(slides, "/ch%d%d[^/]*%.md$") or { slides }),
 }

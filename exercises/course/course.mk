@@ -23,15 +23,19 @@ $(BUILD)/solutions.pdf: $(press) $(wildcard chapters/ch*.md book/data/*.tsv) \
 #: the instructor's manual: solutions, mistakes, marking, course plans
 solutions: $(BUILD)/solutions.pdf
 
+#: exam questions and exercises for Canvas and Moodle: build/export/
+export: | $(BUILD)/setup/test
+	@BUILD=$(BUILD) exercises/course/export
+
 #: both editions, the PDF, pictures, checksums: VERSION=2.0
 release: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) VERSION="$(VERSION)" exercises/course/release --check
 	@$(MAKE) --no-print-directory $(BUILD)/near-and-far.pdf \
-	    $(BUILD)/solutions.pdf slides pictures
+	    $(BUILD)/solutions.pdf slides pictures export
 	@BUILD=$(BUILD) VERSION="$(VERSION)" exercises/course/release
 
 #: unpacks a release and tries all of it, in half an hour
 check-release: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) CC="$(CC)" tests/check-release $(BUILD)/release
 
-.PHONY: exercises sheet handout solutions release check-release
+.PHONY: exercises sheet handout solutions export release check-release

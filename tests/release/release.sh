@@ -53,8 +53,8 @@ left_nothing() {
 refused "no version" "make release VERSION=2.0" ""
 refused "a version without its changes" "CHANGES.md begins with" 77.1
 refused "a release before there is a book" "there is no build/near-and-far.pdf" "$version"
-mkdir -p build/slides build/pictures/drawings
-for file in near-and-far.pdf solutions.pdf slides/ch04.pdf \
+mkdir -p build/slides build/export build/pictures/drawings
+for file in near-and-far.pdf solutions.pdf slides/ch04.pdf export/moodle.xml \
     pictures/drawings/ch04-scan.svg; do
     echo "Count, scan, place" >"build/$file"
 done
@@ -110,7 +110,7 @@ check "and the instructor's" says "$edition-instructor.tar.gz"
 
 cd "$place/instructor/$edition-instructor" || exit 1
 find . >"$said"
-for part in near-and-far.pdf solutions.pdf slides/ch04.pdf \
+for part in near-and-far.pdf solutions.pdf slides/ch04.pdf export/moodle.xml \
     exercises/ch04/2-how-many-between/solution.c book/manual/2-course.md \
     exercises/course/release tests/release/release.sh CITATION.cff; do
     check "instructors get $part" says "./$part"
