@@ -1,4 +1,4 @@
-// Tests of the policy: what it costs, against the least that anybody
+// Tests of the policy: what it costs, against the least that one
 // could pay who knows the lifetimes, and against packs at the best
 // fixed interval.
 #include "common/random.h"
@@ -135,7 +135,7 @@ static void set_family(const struct family *family, uint32_t tasks,
 
 // ---- policies ------------------------------------------------------
 
-// The least that somebody pays who knows the future: best[t] is the
+// The least for one who knows the future: best[t] is the
 // least for t steps if a pack follows them.
 static uint64_t least_cost(void)
 {

@@ -1,5 +1,5 @@
 // Every lane keeps its own nearest, and only at the end they are
-// compared with each other. Lanes that run past the end of a span meet
+// compared with each other. Lanes that run past the end of a span have
 // points that are no nearer, and past the end of all, NAN is never
 // less.
 #include "exercise.h"
@@ -7,13 +7,13 @@
 #include <stdbool.h>
 
 //- solution
-// Of what a lane has met, it keeps the nearest.
-static void keep_nearest(struct lanes *best, const struct lanes *met,
+// Of what a lane has measured, it keeps the nearest.
+static void keep_nearest(struct lanes *best, const struct lanes *four,
                          uint32_t self)
 {
     for (int l = 0; l < LANES; l++) {
-        double d2 = met->distance2[l];
-        uint32_t j = met->index[l];
+        double d2 = four->distance2[l];
+        uint32_t j = four->index[l];
         bool better =
             ((d2 < best->distance2[l]) |
              ((d2 == best->distance2[l]) & (j < best->index[l]))) &
@@ -50,8 +50,8 @@ struct found search(uint32_t spans, const struct span *span,
     for (uint32_t s = 0; s < spans; s++)
         for (uint32_t place = span[s].begin; place < span[s].end;
              place += LANES) {
-            struct lanes met = measure(place);
-            keep_nearest(&best, &met, self);
+            struct lanes four = measure(place);
+            keep_nearest(&best, &four, self);
         }
     return nearest_lane(&best);
     //- starter
@@ -60,11 +60,11 @@ struct found search(uint32_t spans, const struct span *span,
     // for (uint32_t s = 0; s < spans; s++)
     //     for (uint32_t place = span[s].begin; place < span[s].end;
     //          place++) {
-    //         struct lanes met = measure(place);
-    //         if (met.index[0] != self &&
-    //             met.distance2[0] < found.nearest2)
+    //         struct lanes four = measure(place);
+    //         if (four.index[0] != self &&
+    //             four.distance2[0] < found.nearest2)
     //             found =
-    //                 (struct found){met.index[0], met.distance2[0]};
+    //                 (struct found){four.index[0], four.distance2[0]};
     //     }
     // return found;
     //- end
