@@ -76,6 +76,13 @@ if not lfs.chdir(root) then usage("there is no folder " .. root) end
 build = build or root .. "/build"
 
 -- ---- what there is ----------------------------------------------------
+-- Names in order; of exercises 9-this comes before 10-that.
+local function in_order(a, b)
+  local m, n = tonumber(a:match("^(%d+)%-")), tonumber(b:match("^(%d+)%-"))
+  if m and n and m ~= n then return m < n end
+  return a < b
+end
+
 -- All files below a folder, in order, whose path matches.
 local function below(folder, pattern, found)
   found = found or {}
@@ -84,7 +91,7 @@ local function below(folder, pattern, found)
   for name in lfs.dir(folder) do
     if not name:match("^%.") then table.insert(names, name) end
   end
-  table.sort(names)
+  table.sort(names, in_order)
   for _, name in ipairs(names) do
     local path = folder .. "/" .. name
     if lfs.attributes(path, "mode") == "directory" then
