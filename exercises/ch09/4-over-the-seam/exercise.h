@@ -14,6 +14,17 @@ struct span {
     uint32_t begin, end; // places, the end not included
 };
 
+// Columns or rows, both ends included.
+struct stretch {
+    uint32_t first, last;
+};
+
+// Given. Which of so many columns, or rows, are at most reach away from
+// one of them, around the edges: one stretch or two, in ascending
+// order. Returns how many.
+uint32_t stretches(uint32_t at, uint32_t reach, uint32_t count,
+                   struct stretch *to);
+
 // Writes where the points are in the cells at most reach columns and at
 // most reach rows away from home, on a grid that wraps around: as few
 // spans as possible, in ascending order. Returns how many. There is

@@ -1,29 +1,20 @@
-// Two spans for each row that crosses the seam, not joined.
+// A span for each stretch of each row, empty or not, none joined.
 // expect: 3 of 10
 #include "exercise.h"
 
 uint32_t block_spans(const struct grid *grid, uint32_t column,
                      uint32_t row, uint32_t reach, struct span *spans)
 {
-    uint32_t columns = grid->columns, rows = grid->rows, n = 0;
-    for (uint32_t r = 0; r < rows; r++) {
-        uint32_t up = (r + rows - row) % rows;
-        if ((up < rows - up ? up : rows - up) > reach)
-            continue;
-        const uint32_t *start = grid->start + r * columns;
-        for (uint32_t c = 0; c < columns; c++) {
-            uint32_t on = (c + columns - column) % columns;
-            if ((on < columns - on ? on : columns - on) > reach)
-                continue;
-            uint32_t first = c;
-            while (c + 1 < columns) {
-                on = (c + 1 + columns - column) % columns;
-                if ((on < columns - on ? on : columns - on) > reach)
-                    break;
-                c++;
+    struct stretch x[2], y[2];
+    uint32_t nx = stretches(column, reach, grid->columns, x);
+    uint32_t ny = stretches(row, reach, grid->rows, y);
+    uint32_t n = 0;
+    for (uint32_t b = 0; b < ny; b++)
+        for (uint32_t r = y[b].first; r <= y[b].last; r++)
+            for (uint32_t a = 0; a < nx; a++) {
+                const uint32_t *start = grid->start + r * grid->columns;
+                spans[n++] = (struct span){start[x[a].first],
+                                           start[x[a].last + 1]};
             }
-            spans[n++] = (struct span){start[first], start[c + 1]};
-        }
-    }
     return n;
 }

@@ -1,36 +1,8 @@
-// On either axis the block is one stretch, or two if it crosses the
-// seam. Rows and columns are taken in ascending order, and a span that
-// begins where the last one ends only makes it longer.
+// Rows and the stretches of each are taken in ascending order, and a
+// span that begins where the last one ends only makes it longer.
 #include "exercise.h"
 
 //- solution
-struct stretch {
-    uint32_t first, last;
-};
-
-// What is within reach on an axis of so many: one stretch or two, in
-// ascending order.
-static uint32_t stretches(uint32_t at, uint32_t reach, uint32_t count,
-                          struct stretch *to)
-{
-    if (reach >= count / 2) {
-        to[0] = (struct stretch){0, count - 1};
-        return 1;
-    }
-    if (at < reach) {
-        to[0] = (struct stretch){0, at + reach};
-        to[1] = (struct stretch){at + count - reach, count - 1};
-        return 2;
-    }
-    if (at + reach >= count) {
-        to[0] = (struct stretch){0, at + reach - count};
-        to[1] = (struct stretch){at - reach, count - 1};
-        return 2;
-    }
-    to[0] = (struct stretch){at - reach, at + reach};
-    return 1;
-}
-
 // Appends the places from begin to end, and returns how many spans
 // there are then.
 static uint32_t append(struct span *spans, uint32_t n, uint32_t begin,

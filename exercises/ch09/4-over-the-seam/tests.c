@@ -12,6 +12,29 @@ static struct grid grid;
 static uint32_t points, *cell_of_place;
 static uint32_t column, row, reach; // of the block
 
+// ---- what is given -------------------------------------------------
+
+uint32_t stretches(uint32_t at, uint32_t reach, uint32_t count,
+                   struct stretch *to)
+{
+    if (reach >= count / 2) {
+        to[0] = (struct stretch){0, count - 1};
+        return 1;
+    }
+    if (at < reach) {
+        to[0] = (struct stretch){0, at + reach};
+        to[1] = (struct stretch){at + count - reach, count - 1};
+        return 2;
+    }
+    if (at + reach >= count) {
+        to[0] = (struct stretch){0, at + reach - count};
+        to[1] = (struct stretch){at - reach, count - 1};
+        return 2;
+    }
+    to[0] = (struct stretch){at - reach, at + reach};
+    return 1;
+}
+
 // ---- grids and blocks ----------------------------------------------
 
 static uint32_t cells(void)
