@@ -144,6 +144,7 @@ struct listing {
     struct shortlist *list;
 };
 
+//> Raise the bounds for all of a box
 static void add_slack(const struct listing *listing,
                       const struct fan *fan, double bound[FAN])
 {
@@ -157,7 +158,9 @@ static void add_slack(const struct listing *listing,
                     0x1p-44 * diameter * diameter;
     }
 }
+//<
 
+//> List the arcs of a fan
 static void list_fan(const struct listing *listing, int level,
                      uint32_t number)
 {
@@ -180,6 +183,7 @@ static void list_fan(const struct listing *listing, int level,
         list->set[list->count++] = open;
     }
 }
+//<
 
 void arcs_list(const struct arcs *arcs, const struct box *box,
                struct arc_query *query, struct shortlist *list)
