@@ -526,13 +526,15 @@ static void a_far_point(void)
 
 // In a grid of four by four cells, the block of point 1 ends where
 // point 0 stands, which is as near as point 2, in the block: a tie that
-// only the next block shows.
+// only the next block shows. Points 3 and 4, of the same batch, have
+// each other.
 static void a_tie_on_the_border(void)
 {
-    double x[] = {1.5, 1.5, 0, 4, 4}, y[] = {2, 0.5, 0.5, 0, 4};
-    struct question question = {{5, x, y}, {STANDARD, 0, 0}, 1};
-    struct answers answers = answers_allocate(5);
-    struct sorted sorted = sorted_make(&question, 5 / 16.0);
+    double x[] = {1.5, 1.5, 0, 4, 4, 4};
+    double y[] = {2, 0.5, 0.5, 0, 0.125, 4};
+    struct question question = {{6, x, y}, {STANDARD, 0, 0}, 1};
+    struct answers answers = answers_allocate(6);
+    struct sorted sorted = sorted_make(&question, 6 / 16.0);
     CHECK_INT(16, (long long)grid_cells(&sorted.grid), "cells");
     search_sorted(&question, &sorted, &answers);
     CHECK_INT(0, answers.nearest[1], "point by point");
