@@ -10,43 +10,22 @@
 #include <string.h>
 #include <time.h>
 
-enum { THREADS_MAX = 64 };
 static const uint32_t unset = 0xa5a5a5a5; // in a new output
 
 // What is_left() answers and notes, in the student's process.
 static const bool *sides;
 static struct notes {
-    _Atomic uint32_t invalid;         // calls for no point
-    _Atomic bool worked[THREADS_MAX]; // which threads called
-    _Atomic uint32_t workers;         // and how many they are
-    _Atomic bool alone;               // no second thread came in time
+    _Atomic uint32_t invalid; // calls for no point
 } * notes;
 static _Atomic uint32_t *asked; // how often, for each point
 static uint32_t point_count;
 static uint32_t slow_from, slow_to; // these points take their time
 static long slow_ns;
-static bool wait_for_company; // let two threads come
-
-// The first thread waits for a second one, so that no thread has done
-// it all before the others are awake; but not for ever.
-static void note_worker(void)
-{
-    enum { NAPS = 500 };
-    if (!atomic_exchange(
-            &notes->worked[omp_get_thread_num() % THREADS_MAX], true))
-        notes->workers++;
-    for (int k = 0; wait_for_company && notes->workers < 2; k++) {
-        if (k == NAPS || notes->alone) {
-            notes->alone = true;
-            break;
-        }
-        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
-    }
-}
+static int threads_wanted; // and needed; 1: any number will do
 
 bool is_left(uint32_t i)
 {
-    note_worker();
+    kit_at_work(threads_wanted);
     if (i >= point_count) {
         notes->invalid++;
         return false;
@@ -66,7 +45,7 @@ static void prepare(uint32_t n, uint64_t seed)
     sides = filled;
     point_count = n;
     slow_from = slow_to = 0;
-    wait_for_company = false;
+    threads_wanted = 1;
     notes = kit_output("the notes", 1, sizeof *notes);
     *notes = (struct notes){.invalid = 0};
     asked = kit_output("the notes", n, sizeof *asked);
@@ -161,13 +140,7 @@ static void judge(uint32_t n, int threads, const uint32_t *lefts,
     if (notes->invalid)
         WRONG(.cause = "is_left() was called with numbers that no "
                        "point has.");
-    if (notes->alone)
-        WRONG(.expected = "several threads at work",
-              .found = "one, which waited half a second for another",
-              .cause = "A parallel region has as many threads as its "
-                       "clause num_threads(threads) says, and each "
-                       "needs some of the points. Under a lock, only "
-                       "one of them can work.");
+    kit_expect_threads(threads_wanted);
     for (uint32_t i = 0; i < n; i++)
         if (asked[i] == 0)
             WRONG(.where = kit_text("point %u", i),
@@ -208,7 +181,7 @@ static void check(uint32_t n, int threads, enum manner manner)
 {
     uint32_t *lefts = kit_output("the answer", 1, sizeof *lefts);
     uint32_t *point = kit_output("point", n, sizeof *point);
-    wait_for_company = manner != INSIDE && threads > 1 && n > 9;
+    threads_wanted = manner != INSIDE && n > 9 ? threads : 1;
     switch (manner) {
     case PLAIN:
         kit_given("%u points, %d threads", n, threads);
@@ -277,12 +250,9 @@ static void shared(uint64_t seed)
         prepare(24, seed);
         slow_to = 24, slow_ns = 1000000;
         check(24, threads, PLAIN);
-        int worked = 0;
-        for (int t = 0; t < THREADS_MAX; t++)
-            worked += notes->worked[t];
-        if (worked != threads)
+        if (kit_threads() != threads)
             WRONG(.expected = kit_text("%d threads at work", threads),
-                  .found = kit_text("%d", worked),
+                  .found = kit_text("%d", kit_threads()),
                   .cause = "A parallel region has as many threads as "
                            "its clause num_threads(threads) says, and "
                            "each needs some of the points.");

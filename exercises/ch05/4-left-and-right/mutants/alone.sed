@@ -1,4 +1,4 @@
 # The number of threads is not asked for.
-# expect: num_threads(threads)
+# expect: one thread did all the work
 # why: The parameter looks like information, not like an order.
 s/ num_threads(threads)//
