@@ -37,11 +37,14 @@ static void load(struct tile_columns *columns, struct points points,
 //> Measure a row of the tile
 // Returns the best of the row at (x, y); those of the columns are
 // improved. Each lane has a best of its own, so that no step waits for
-// the last.
+// the last. The columns' arrays have pointers of their own: gcc keeps
+// low and high in registers only if nothing else may be where they are.
 INLINED struct pair measure(const enum geometry geometry,
                             struct space space, double x, double y,
                             struct tile_columns *columns)
 {
+    const double *restrict xs = columns->x;
+    const double *restrict ys = columns->y;
     double *restrict near2 = columns->near2;
     double *restrict far2 = columns->far2;
     const double one = unit;
@@ -53,8 +56,8 @@ INLINED struct pair measure(const enum geometry geometry,
     for (int k = 0; k < SIDE; k += LANES)
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
-            double dx = difference(columns->x[k + lane], x, one);
-            double dy = difference(columns->y[k + lane], y, one);
+            double dx = difference(xs[k + lane], x, one);
+            double dy = difference(ys[k + lane], y, one);
             struct pair pair = pair2(geometry, space, dx, dy);
             //> Improve both ends without a branch
             low[lane] = MIN(pair.near2, low[lane]);
