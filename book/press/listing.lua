@@ -35,6 +35,11 @@ local function is_end(line, following)
     and not following:find("^[\\ ]*\\keyword{else}")
 end
 
+-- What a file includes, which the appendix of programs leaves out.
+local function is_include(line)
+  return line:find("^\\#include") or line:find("^\\#pragma.*once")
+end
+
 -- What stands between line i and the next, with so many to come.
 local function between(lines, i, to_come)
   if #lines <= SHORT or i < HEAD or to_come < TAIL then
@@ -56,7 +61,8 @@ function listing.stacked(lines)
   end
   for i, line in ipairs(lines) do
     table.insert(result, line == "" and "\\codeblank" or
-      "\\codeline{" .. line .. "}")
+      (is_include(line) and "\\codeinclude{" or "\\codeline{")
+      .. line .. "}")
     if line:find("%w") then to_come = to_come - 1 end
     if i < #lines then
       table.insert(result, between(lines, i, to_come))
