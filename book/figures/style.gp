@@ -13,7 +13,7 @@ if (format eq "slide") width = 5.6
 if (format eq "pdf") set terminal pdfcairo size width,height \
   font "TeX Gyre Pagella,9" fontscale 0.75 linewidth 1 rounded
 if (format eq "slide") set terminal pdfcairo size width,height \
-  font "TeX Gyre Pagella,10" fontscale 0.85 linewidth 1.2 rounded
+  font "TeX Gyre Pagella,10" fontscale 0.8 linewidth 1.2 rounded
 if (format eq "svg") set terminal svg size width*110,height*110 \
   font "serif,12" background "white" dynamic
 if (format eq "png") set terminal pngcairo size width*200,height*200 \
