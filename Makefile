@@ -245,17 +245,21 @@ $(BUILD)/slides/figures/%.pdf: book/figures/%.gp book/figures/style.gp | $(BUILD
 	$(call say,draw)
 	$(Q)gnuplot -e "format = 'slide'; output = '$@'; data = 'book/data'" $<
 
-slides := $(patsubst chapters/slides/%.md,%,$(wildcard chapters/slides/ch*.md))
+# Slides wait for the pictures that they name.
+slides      := $(patsubst chapters/slides/%.md,%,$(wildcard chapters/slides/ch*.md))
+shown       := $(shell grep -o ']([a-z0-9-]*)' $(slides:%=chapters/slides/%.md) /dev/null | tr -d '()]')
+shown_in     = $(patsubst chapters/slides/$(1).md:%,%,$(filter chapters/slides/$(1).md:%,$(shown)))
+picture_of   = $(if $(wildcard book/drawings/$(1).tex),$(BUILD)/drawings,$(BUILD)/slides/figures)/$(1).pdf
 define slides_rule
+.PHONY: slides$(call number_of,$(1:ch%=%))
+slides$(call number_of,$(1:ch%=%)): $(BUILD)/slides/$(1).pdf
 $(BUILD)/slides/$(1).pdf: chapters/slides/$(1).md $(wildcard chapters/$(1)-*.md) \
-		$(patsubst $(BUILD)/figures/%,$(BUILD)/slides/figures/%,$(figures)) \
-		$(drawings) $(press) $(sources) $(wildcard book/data/*.tsv) $(programs) \
-		| $(BUILD)/setup/book
+		$(foreach p,$(call shown_in,$(1)),$(call picture_of,$(p))) \
+		$(press) $(sources) $(wildcard book/data/*.tsv) | $(BUILD)/setup/book
 	$$(call say,print)
 	$$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --slides $$< --build $(BUILD)
-.PHONY: slides$(patsubst ch0%,%,$(patsubst ch1%,1%,$(1)))
-slides$(patsubst ch0%,%,$(patsubst ch1%,1%,$(1))): $(BUILD)/slides/$(1).pdf
 endef
+number_of = $(shell expr $(1) + 0)
 $(foreach s,$(slides),$(eval $(call slides_rule,$(s))))
 
 #: the slides of all chapters
@@ -285,7 +289,6 @@ chapter$(1): $(BUILD)/near $(filter $(BUILD)/ch$(2)/%,$(programs)) \
 measure$(1): $(programs)
 	@BUILD=$(BUILD) CC="$(CC)" book/experiments/measure ch$(2)
 endef
-number_of = $(shell expr $(1) + 0)
 $(foreach c,$(chapters),$(eval $(call chapter_rule,$(call \
 	number_of,$(firstword $(subst -, ,$(c)))),$(firstword $(subst -, ,$(c))))))
 
