@@ -173,7 +173,9 @@ local function qti_choice(q)
 end
 
 local function qti_number(q)
-  return { TYPE = "numerical_question", RESPONSE = TYPED, SET = SET,
+  return { TYPE = "numerical_question", SET = SET,
+    RESPONSE = (TYPED:gsub("<render_fib>",
+      '<render_fib fibtype="Decimal">')),
     CONDITION = ('<or><varequal respident="response1">%s</varequal><and>'
       .. '<vargte respident="response1">%s</vargte><varlte '
       .. 'respident="response1">%s</varlte></and></or>'):format(q.answer,
