@@ -265,8 +265,6 @@ $(foreach s,$(slides),$(eval $(call slides_rule,$(s))))
 #: the slides of all chapters
 slides: $(slides:%=$(BUILD)/slides/%.pdf)
 
-.PHONY: pictures slides slidesN
-
 #: the pictures and the numbers in README.md, from book/data
 readme: | $(BUILD)/setup/book
 	gnuplot -e "format = 'png'; output = 'book/nearest-and-furthest.png'; \
@@ -426,5 +424,5 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 -include $(wildcard $(patsubst %,$(BUILD)/plain/%.d,$(basename $(compiled))) \
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
-.PHONY: all programs test test-all check-book figures drawings readme chapterN measure measureN evidence
+.PHONY: all programs test test-all check-book figures drawings pictures slides slidesN readme chapterN measure measureN evidence
 .PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help
