@@ -333,18 +333,28 @@ peers: $(BUILD)/peers/compare
 	@BUILD=$(BUILD) QUICK=$(QUICK) book/experiments/peers
 
 # ---- exercises -----------------------------------------------------
-# exercises/ch02/1-nearest-pair is exercise 2.1.
+# exercises/ch02/1-nearest-pair is exercise 2.1. An answer that is wrong
+# is no mistake of make's.
 exercise_key = $(patsubst 0%,%,$(firstword $(subst /, ,$(1)))).$(firstword \
 	$(subst -, ,$(word 2,$(subst /, ,$(1)))))
 exercises := $(foreach e,$(patsubst exercises/ch%/exercise.md,%,$(wildcard \
 	exercises/ch*/*/exercise.md)),exercise$(call exercise_key,$(e)))
 
-#: try exercise K of chapter N: a starter in work/, tests, points
+#: try exercise K of chapter N: task and starter in work/, tests, points
 exerciseN.K:
 	@echo "say make exercise1.2, make exercise2.1, ..."
 
 $(exercises): exercise%: | $(BUILD)/setup/code
-	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/exercise $*
+	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/exercise $* || [ $$? -eq 1 ]
+
+watches := $(exercises:exercise%=watch%)
+
+#: the same at each save, and when it passes the next exercise
+watchN.K:
+	@echo "say make watch2.1, ..."
+
+$(watches): watch%: | $(BUILD)/setup/code
+	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/watch $*
 
 hints := $(exercises:exercise%=hint%)
 
@@ -425,4 +435,4 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
 .PHONY: all programs test test-all check-book figures drawings pictures slides slidesN readme chapterN measure measureN evidence
-.PHONY: $(exercises) exerciseN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help
+.PHONY: $(exercises) exerciseN.K $(watches) watchN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help

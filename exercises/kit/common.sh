@@ -39,6 +39,32 @@ find_exercise() {
     slug=$(basename "$folder" | sed 's/^[0-9]*-//')
 }
 
+# The starter of the exercise, as students get it.
+put_starter() {
+    if [ -f "$folder/starter.c" ]; then
+        cat "$folder/starter.c"
+    elif [ -f "$folder/solution.c" ]; then
+        awk -f $kit/starter.awk "$folder/solution.c"
+    else
+        return 1
+    fi
+}
+
+# The task of the exercise: its text without hints and answer.
+put_task() {
+    echo "Exercise $key: $title"
+    awk -f $kit/task.awk "$folder/exercise.md" | plain
+}
+
+# put_work TO: what somebody needs who begins, unless it is there.
+put_work() {
+    mkdir -p "$1" && put_task >"$1/task.md" && cp "$folder/exercise.h" "$1" ||
+        die "cannot write to $1"
+    [ -e "$1/$slug.c" ] && return
+    put_starter >"$1/$slug.c" || die "cannot write to $1"
+    echo "Made $1/$slug.c from the starter; the task is in $1/task.md."
+}
+
 # make, whatever the make that may have called us was told
 quiet_make() {
     LC_ALL=C MAKEFLAGS= MFLAGS= make -s -f $kit/kit.mk "$@"

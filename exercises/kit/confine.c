@@ -2,6 +2,7 @@
 // calls, with a condition on one argument where it matters. What is not
 // in the list fails and has no effect.
 #include "confine.h"
+#include "fence.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <grp.h>
@@ -263,7 +264,13 @@ static void become_nobody(void)
         _exit(1);
 }
 
-void confine(struct limits limits)
+void give_place(const char *place)
+{
+    if (geteuid() == 0 && chown(place, NOBODY, NOBODY) != 0)
+        _exit(1);
+}
+
+static void put_limits(struct limits limits)
 {
     setsid();
     for (int k = STDERR_FILENO + 1; k < DESCRIPTORS_MAX; k++)
@@ -277,10 +284,24 @@ void confine(struct limits limits)
     limit_memory(limits.memory);
     limit_threads();
     become_nobody();
+}
+
+void confine_tool(struct limits limits, int file, const char *place)
+{
+    put_limits(limits);
+    build_fence(file, place);
+    alarm((unsigned)ceil(limits.seconds));
+}
+
+void confine(struct limits limits, int library)
+{
+    put_limits(limits);
 #ifdef __linux__
     prctl(PR_SET_DUMPABLE, 1); // or it could not open its own library
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
+    if (has_rules())
+        build_fence(library, NULL);
     install(true);
 }
 

@@ -1,5 +1,5 @@
-// Confines the process that runs a student's code, and ends whatever
-// that process leaves behind.
+// Confines the process that runs a student's code, or compiles it, and
+// ends whatever that process leaves behind.
 //
 // Everywhere: limits of time, memory, output and threads, a session of
 // its own, few descriptors; if we are root, the process is nobody's.
@@ -23,8 +23,17 @@ struct limits {
 void guard_judge(void);
 
 // In the student's process: everything but this, that it may still open
-// files to read, so that its library can be loaded.
-void confine(struct limits limits);
+// files to read, so that its library can be loaded; its own, and those
+// of fence.h.
+void confine(struct limits limits, int library);
+
+// In the process of a compiler or the like: the limits and the fence
+// around a folder, in which it may write, and no rules. The time is by
+// the clock, and a signal ends it.
+void confine_tool(struct limits limits, int file, const char *place);
+
+// If we are root: this folder becomes nobody's.
+void give_place(const char *place);
 
 // In the student's process, afterward: not even that.
 void confine_to_computing(void);

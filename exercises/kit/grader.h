@@ -29,6 +29,11 @@ struct trace {
     char *address;       // of an access that the machine refused
     _Atomic int threads; // that came to kit_at_work
     bool alone;          // the first of them stayed
+    // When its time is over it is asked where it is: the place in its
+    // library, or 0, and which of our functions it had called there.
+    volatile bool asked;
+    size_t place;
+    char called[64];
 };
 
 struct grader {
@@ -39,6 +44,7 @@ struct grader {
     const char *verdict; // on every test, if so
     int file;            // the library, open
     double limit;        // seconds a call may take
+    int stops;           // calls that took more
     double allowed;      // and might, before time was lost
     double budget;       // and all that are still to come
     double seconds;      // that the last one took, by the clock
@@ -62,6 +68,10 @@ extern struct grader grader;
 
 // The name of the open library, for the process that asks.
 const char *loaded_name(void);
+
+// What, and in which line of the student's file the machine code at
+// this place of its library stands, if that can be found.
+const char *at_place(const char *what, const char *place);
 
 // The test has failed, for what the student's process did, and ends.
 _Noreturn void broken(const char *status, const char *found,

@@ -1,7 +1,9 @@
 // Says what a student's process has done, and what it probably did
 // wrong: from how it ended, what a sanitizer reported, the address of a
 // refused access, and what stands around the arrays.
+#include "confine.h"
 #include "grader.h"
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,16 +39,23 @@ static const char *source_name(void)
 }
 
 // The line of the student's file in which the machine code at this
-// place of its library stands, or 0.
+// place of its library stands, or 0. The library may hold anything, so
+// the tool that reads it has limits.
 static int line_at(const char *place)
 {
+    const struct limits limits = {.seconds = 5,
+                                  .printed = 1 << 20,
+                                  .memory = 1 << 30,
+                                  .keep = {grader.file, -1}};
     int ends[2];
     pid_t process = pipe(ends) == 0 ? fork() : -1;
     if (process < 0)
         return 0;
     if (process == 0) {
         dup2(ends[1], STDOUT_FILENO);
-        execlp("addr2line", "addr2line", "-s", "-e", grader.library,
+        fcntl(grader.file, F_SETFD, 0);
+        confine_tool(limits, grader.file, NULL);
+        execlp("addr2line", "addr2line", "-s", "-e", loaded_name(),
                place, (char *)NULL);
         _exit(1);
     }
@@ -94,6 +103,11 @@ static const char *at_line(const char *what, int line)
     if (line == 0)
         return what;
     return kit_text("%s, in line %d of %s", what, line, grader.source);
+}
+
+const char *at_place(const char *what, const char *place)
+{
+    return at_line(what, line_at(place));
 }
 
 // ---- what happened -------------------------------------------------

@@ -28,7 +28,7 @@ programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c)
 naive      := $(patsubst exercises/%/naive.c,%,$(wildcard exercises/*/*/naive.c))
 # The driver of experiments knows all algorithms, and no exercise needs it.
 modules    := $(patsubst code/%.c,%,$(filter-out %/experiment.c,$(wildcard code/common/*.c)))
-kit_modules := kit judge confine marks threads slow_motion
+kit_modules := kit judge confine fence marks threads slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 
 # ---- graders -------------------------------------------------------
@@ -51,13 +51,20 @@ $(foreach v,sanitized optimized plain,$(eval $(call variant_rules,$(v))))
 
 # ---- the student's file: SOURCE, as a library TO -------------------
 # The shell expands both names, for they may be anything. TO.d lists
-# all that was included.
+# all that was included. SEAL is nothing, or runs the compiler behind a
+# fence, in a folder with the headers that there are here.
 export SOURCE TO
 library:
-	$(call compiler,$(VARIANT)) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
+	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
 		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
 		-MD -MF "$$TO.d" -c "$$SOURCE" -o "$$TO.o"
-	$(call compiler,$(VARIANT)) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
+	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
+
+# What compiles behind a fence.
+$(K)/seal: $(addprefix exercises/kit/,seal.c confine.c fence.c) \
+		code/common/clock.c code/common/fail.c code/common/allocate.c $(headers)
+	@mkdir -p $(@D)
+	$(CC) $(optimized) $(filter %.c,$^) -o $@ -lm
 
 # ---- the reports ---------------------------------------------------
 $(K)/results: exercises/kit/results.c

@@ -1,11 +1,14 @@
 # Reports two runs of a grader: usage
-#   awk -f report.awk -v key=2.1 -v title=TITLE -v out=SCORES FIRST SECOND
+#   awk -f report.awk -v key=2.1 -v title=TITLE -v why=yes -v out=SCORES
+#       FIRST SECOND
 # Tells every failure, prints the score table, and writes both runs as
 # one table: a test earns what it earns in both. A row without a seed
 # was lost with all others. What could not be graded is worth nothing.
+# With why=no, nothing is said of the likely causes.
 
 BEGIN { FS = OFS = "\t" }
 FNR == 1 { run++; head = $0; next }
+why == "no" && $6 != "" { $11 = "" }
 !($1 in about) { names[++tests] = $1; about[$1] = $5 }
 {
     status[$1, run] = $4
@@ -69,7 +72,9 @@ function tell() {
     line("where", $8)
     line("expected", $9)
     line("found", $10)
-    line("why", $11)
+    line("why", $11 in told_in ? "the same as in " told_in[$11] : $11)
+    if ($11 != "" && !($11 in told_in))
+        told_in[$11] = $1
     line("input", $7 ($7 != "" ? ", " : "") "seed " $6)
     line("again", "make exercise" key " TEST=" $1 " SEED=" $6)
 }

@@ -1,6 +1,6 @@
 # Derives the starter from exercises/chNN/K-name/solution.c. The opening
 # comment, which says how it is done, is replaced by what the exercise
-# is called and where its text is. What stands between the comments
+# is called and where its task is. What stands between the comments
 # "//- solution" and "//- starter" is left out, and the comments between
 # "//- starter" and "//- end" become code.
 BEGIN {
@@ -11,7 +11,7 @@ BEGIN {
     while ((getline line < text) > 0)
         if (sub(/^title: */, "", line))
             print "// Exercise " key ": " line
-    print "// What to write is in " text "."
+    print "// What to write is in task.md, beside this file."
 }
 !begun && /^\/\/($|[^-])/ { next }
 { begun = 1 }

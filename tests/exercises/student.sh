@@ -49,6 +49,10 @@ lacks() {
     ! grep -q -e "$1" "$said"
 }
 
+lacks_in() {
+    ! grep -q -e "$2" "$1"
+}
+
 # Nothing of a fence, and no first line of what stands in one.
 lacks_answer() {
     lacks ':::' &&
@@ -58,12 +62,23 @@ lacks_answer() {
 }
 
 # The first call makes the starter, which fails; the next keeps it.
-exercises/kit/exercise 2.1 >"$said" 2>&1
+TEST=many exercises/kit/exercise 2.1 >"$said" 2>&1
 check "the starter is made" grep -q '^Made ' "$said"
-check "its failures are told" grep -q 'the lowest indices' "$said"
+check "its failures are told" grep -q 'expected .*point' "$said"
+check "and not what to do" lacks '^    why'
+check "nothing else lies beside it" [ "$(ls "$WORK/2.1" | tr '\n' ' ')" = \
+    "exercise.h nearest-pair.c task.md " ]
+check "not the hints" lacks_in "$WORK/2.1/task.md" 'large number may not'
+check "not the answer" lacks_in "$WORK/2.1/task.md" ':::\|Two loops'
+check "but the task" grep -q 'Look at every pair once' "$WORK/2.1/task.md"
 echo '// mine' >>"$file"
-exercises/kit/exercise 2.1 >"$said" 2>&1
+TEST=many exercises/kit/exercise 2.1 >"$said" 2>&1
 check "work is kept" grep -q '^// mine' "$file"
+check "and its failures have causes" grep -q '^    why  ' "$said"
+WHY=no TEST=many exercises/kit/exercise 2.1 >"$said" 2>&1
+check "which can be hidden" lacks '^    why'
+check "in the scores as well" \
+    awk -F '\t' 'NR > 1 && $4 == "wrong" && $11 == "" { n++ } END { exit !n }' "$scores"
 
 cp exercises/ch02/1-nearest-pair/solution.c "$file"
 TEST='' exercises/kit/exercise 2.1 >"$said" 2>&1
@@ -87,8 +102,11 @@ check "and loses all" \
 
 attempt "an endless loop" "A loop that never ends" \
     'for (;;) if (points.n == 7) continue;'
-check "after how long" grep -q "no answer after 2 seconds" "$said"
+check "after how long, and where" grep -q "no answer after 2 seconds, in line 7" "$said"
 check "and the next test has less" grep -q 'The time for this exercise is used' "$said"
+TEST="two-points ties same-place many" exercises/kit/exercise 2.1 >"$said" 2>&1
+check "and the rest is not tried" grep -q 'not tried, because two tests' "$said"
+check "which is told once" [ "$(grep -c 'not tried, because' "$said")" -eq 1 ]
 attempt "an endless recursion" "A recursion without end" \
     'struct pair p = nearest_pair(points); p.i++; return p;'
 attempt "an exit in the middle" "exit() ends everything" \

@@ -1,8 +1,10 @@
 #!/bin/sh
-# Submissions that want to harm, or to earn what they have not earned:
-# every file of hostile/, and files that are none. Each gets the score
-# that its second line says, the report says its third line's words,
-# the results are complete and valid, and nothing is left behind.
+# Submissions that want to harm, to earn what they have not earned, or
+# to see what is not theirs: every file of hostile/, and files that are
+# none. Each gets the score that its second line says, the report says
+# its third line's words, the results are complete and valid, and
+# nothing is left behind. Further lines may name words that must not be
+# said, and another exercise than 2.1, its file and its test.
 #
 #   tests/grade/hostile.sh NAME...    only these
 
@@ -42,10 +44,28 @@ special() {
     a-pipe)
         mkfifo "$file"
         expect 0 "no ordinary file" ;;
+    includes-a-pipe)
+        mkfifo "$case/work/2.1/mine.h"
+        echo '#include "mine.h"' >"$file"
+        expect 0 "it does not compile" ;;
+    shows-the-solution)
+        printf '#line 1 "%s"\n#error\n' "$PWD/$solution" >"$file"
+        expect 0 "it does not compile"
+        echo "The nearest pair of all" >>"$case/expected" ;;
+    includes-the-tests)
+        printf '#include "%s"\n' "$PWD/exercises/ch02/1-nearest-pair/tests.c" >"$file"
+        expect 0 "it " ;;
+    larger-than-life)
+        head -c 2000000 /dev/zero | tr '\0' ' ' >"$file"
+        expect 0 "it is larger than a megabyte" ;;
+    crowded)
+        for number in $(seq 101); do : >"$case/work/2.1/$number.h"; done
+        cp $solution "$file"
+        expect 0 "more than a hundred files" ;;
     includes-a-link)
         ln -s "$PWD/$solution" "$case/work/2.1/mine.h"
         echo '#include "mine.h"' >"$file"
-        expect 0 "it includes" ;;
+        expect 0 "it does not compile" ;;
     binary)
         head -c 20000 "$BUILD/kit/results" >"$file"
         expect 0 "it does not compile" ;;
@@ -60,6 +80,7 @@ special() {
     esac
 }
 specials="missing nothing-at-all a-link a-folder a-pipe two-copies includes-a-link
+    includes-a-pipe includes-the-tests shows-the-solution larger-than-life crowded
     binary odd-names"
 
 if [ "$1" = --one ]; then
@@ -68,11 +89,15 @@ if [ "$1" = --one ]; then
     mkdir -p "$case/work"
     file=$here/hostile/${name%.limits}.c
     if [ -f "$file" ]; then
-        mkdir "$case/work/2.1"
-        cp "$file" "$case/work/2.1/nearest-pair.c"
-        cp $here/hostile/right.h "$case/work/2.1"
+        # shellcheck disable=SC2046 # three words
+        set -- $(sed -n 's,^// exercise: ,,p' "$file")
+        EXERCISES=${1:-2.1} TEST=${3:-ties}
+        mkdir "$case/work/$EXERCISES"
+        cp "$file" "$case/work/$EXERCISES/${2:-nearest-pair}.c"
+        cp $here/hostile/right.h "$case/work/$EXERCISES"
         expect "$(sed -n '2s/.*score: //p' "$file")" \
             "$(sed -n '3s/.*says: //p' "$file")"
+        sed -n 's,^// never: ,,p' "$file" >>"$case/expected"
     else
         special "$name"
     fi
@@ -96,6 +121,9 @@ if [ $# -eq 0 ]; then
         leaves-children.limits fork-bomb.limits endless-loop.limits \
         exits.limits output-flood.limits
 fi
+# What a fence holds back elsewhere is seen where there is none.
+make -s -f exercises/kit/kit.mk "$BUILD/kit/seal" || exit 1
+"$BUILD/kit/seal" || set -- $(printf '%s\n' "$@" | grep -v -e '-a-file$')
 # Built once, not by all of them at the same time.
 for goal in sanitized/ch02/1-nearest-pair/grader \
     optimized/ch02/1-nearest-pair/grader results; do

@@ -1,7 +1,8 @@
 -- Reads what make grade has written, strictly, and holds it against what
 -- was expected: usage  texlua read.lua FOLDER NAME...
 -- FOLDER/NAME has grade/results.json, grade/junit.xml, what was said,
--- the status, and `expected`: the score and words of the report.
+-- the status, and `expected`: the score, words of the report, and
+-- words that it must not have.
 
 local function read(name)
   local file = io.open(name, "rb")
@@ -84,7 +85,8 @@ local function check(case)
   check_xml(read(case .. "/grade/junit.xml"))
   local said = read(case .. "/said")
   local last = json(said:match("([^\n]*)\n$") or "")
-  local score, words = read(case .. "/expected"):match("(.-)\n(.-)\n")
+  local score, words, never =
+    read(case .. "/expected"):match("(.-)\n(.-)\n(.-)\n?$")
   local told = results.output
   for _, test in ipairs(results.tests) do told = told .. test.output end
   told = told:gsub("\\n", " "):gsub(" +", " ")
@@ -93,7 +95,10 @@ local function check(case)
     error(string.format("score %s, not %s, or not '%s': %s", total, score,
       words, told:sub(1, 1500)), 0)
   end
-  if not last.scores or not last.scores["2.1"] then
+  if never ~= "" and told:find(never, 1, true) then
+    error("it says '" .. never .. "': " .. told:sub(1, 1500), 0)
+  end
+  if not last.scores or not next(last.scores) then
     error("no line for Autolab", 0)
   end
 end

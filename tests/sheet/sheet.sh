@@ -111,8 +111,9 @@ alone() {
 
 mkdir "$place/student" && cd "$place/student" && tar xzf "$homework.tar.gz"
 alone make -C homework-2 exercise4.2 >"$said" 2>&1
-check "the starter fails" [ $? -ne 0 ]
-check "and is told why" says "expected"
+check "the starter fails, but not make" [ $? -eq 0 ]
+check "and is told what is wrong" says "expected"
+check "its task lies beside it" [ -s homework-2/work/4.2/task.md ]
 check "and has few points" grep -q '^ * [0-5] / 10$' "$said"
 alone make -C homework-2 hint4.2 >"$said" 2>&1
 check "a hint is given" says "how many numbers are less"

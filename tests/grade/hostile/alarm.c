@@ -6,6 +6,6 @@
 
 struct pair nearest_pair(struct points points)
 {
-    raise(SIGUSR1);
+    raise(SIGALRM);
     return right(points);
 }

@@ -1,6 +1,6 @@
 // Includes the tests, and prints them.
 // score: 0
-// says: it includes
+// says: it does not compile
 #include "../exercises/ch02/1-nearest-pair/tests.c"
 #include "right.h"
 
