@@ -27,10 +27,10 @@ void k_nearest(struct points points, uint32_t i, uint32_t k,
     //- starter
     // // Your turn. So far: the first k points, near or far.
     // for (uint32_t place = 0; place < k; place++) {
+    //     double d2 = distance2(points.x[place] - points.x[i],
+    //                           points.y[place] - points.y[i]);
     //     neighbors[place] = place;
-    //     distances2[place] =
-    //         distance2(points.x[place] - points.x[i],
-    //                   points.y[place] - points.y[i]);
+    //     distances2[place] = d2;
     // }
     //- end
 }

@@ -47,9 +47,10 @@ static const char *cause(struct points points, uint32_t i, uint32_t k,
                "is a point let in whatever its distance is?";
     double really = distance2(points.x[found] - points.x[i],
                               points.y[found] - points.y[i]);
-    if (distances2[place] == sqrt(really) && really != 0)
+    double claimed = distances2[place];
+    if (claimed == sqrt(really) && really != 0)
         return "The square of the distance is asked for, not its root.";
-    if (distances2[place] != really)
+    if (claimed != really)
         return "Index and distance do not belong together: when a "
                "neighbor moves back, move both.";
     if (really == right.distance2)
@@ -180,8 +181,9 @@ static uint32_t search(struct points points, uint32_t i)
     uint32_t found = i;
     double found2 = INFINITY;
     for (uint32_t j = 0; j < points.n; j++) {
-        double d2 = distance2(points.x[j] - points.x[i],
-                              points.y[j] - points.y[i]);
+        const double dx = points.x[j] - points.x[i];
+        const double dy = points.y[j] - points.y[i];
+        const double d2 = distance2(dx, dy);
         if (d2 < found2 && j != i) {
             found = j;
             found2 = d2;

@@ -3,7 +3,6 @@
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
-#include <string.h>
 
 // Of the student's process: the cells of the points in their slots, and
 // what it did.
@@ -62,11 +61,11 @@ static void prepare(uint32_t points, uint32_t cell_count)
 static void find_right_starts(void)
 {
     right_start = kit_input("the starts", m + 1, sizeof *right_start);
-    memset(right_start, 0, (m + 1) * sizeof *right_start);
-    for (uint32_t s = 0; s < n; s++)
-        right_start[cells[s] + 1]++;
-    for (uint32_t k = 0; k < m; k++)
-        right_start[k + 1] += right_start[k];
+    for (uint32_t k = 0; k <= m; k++) {
+        right_start[k] = 0;
+        for (uint32_t s = 0; s < n; s++)
+            right_start[k] += cells[s] < k;
+    }
     strangers = 0;
     for (uint32_t k = 0; k < m; k++)
         for (uint32_t s = right_start[k]; s < right_start[k + 1]; s++)

@@ -115,7 +115,9 @@ static void put_queries(uint32_t n, double width, double height,
 // How far column k is from x.
 static double gap(const double *border, uint32_t k, double x)
 {
-    return fmax(0, fmax(border[k] - x, x - border[k + 1]));
+    if (x < border[k])
+        return border[k] - x;
+    return x > border[k + 1] ? x - border[k + 1] : 0;
 }
 
 static double away(uint32_t i, uint32_t cell)

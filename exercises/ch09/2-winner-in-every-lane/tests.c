@@ -71,11 +71,11 @@ static uint32_t winner(const struct question *q, uint32_t begin,
 
 static void swap(struct question *q, uint32_t a, uint32_t b)
 {
-    double distance2 = q->distance2[a];
-    uint32_t index = q->index[a];
+    const double distance2 = q->distance2[a];
     q->distance2[a] = q->distance2[b];
-    q->index[a] = q->index[b];
     q->distance2[b] = distance2;
+    const uint32_t index = q->index[a];
+    q->index[a] = q->index[b];
     q->index[b] = index;
 }
 

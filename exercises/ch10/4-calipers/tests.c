@@ -204,11 +204,13 @@ static struct pair search(enum rule rule)
 
 static struct pair right_answer(void)
 {
+    const uint64_t n = corners.n;
     struct pair best = {0, 0, 0};
-    for (uint32_t i = 0; i < corners.n; i++)
-        for (uint32_t j = i + 1; j < corners.n; j++)
-            if (between(i, j) > best.d2)
-                best = (struct pair){i, j, between(i, j)};
+    for (uint64_t k = 0; k < n * n; k++) {
+        struct pair pair = {k / n, k % n, between(k / n, k % n)};
+        if (pair.i < pair.j && pair.d2 > best.d2)
+            best = pair;
+    }
     return best;
 }
 

@@ -61,9 +61,8 @@ static bool is_shallow(const uint32_t *corner, uint32_t count,
 {
     for (uint32_t c = 0; c < count; c++) {
         uint32_t j = corner[c], k = corner[(c + 1) % count];
-        double length =
-            hypot(given.x[k] - given.x[j], given.y[k] - given.y[j]);
-        if (turn(j, k, i) < 1.5 * length)
+        if (turn(j, k, i) < 1.5 * hypot(given.x[k] - given.x[j],
+                                        given.y[k] - given.y[j]))
             return true;
     }
     return false;

@@ -17,9 +17,9 @@ struct place {
 static int from_left(const void *one, const void *other)
 {
     const struct place *p = one, *q = other;
-    if (p->x != q->x)
-        return p->x < q->x ? -1 : 1;
-    return (p->y > q->y) - (p->y < q->y);
+    const double a = p->x == q->x ? p->y : p->x;
+    const double b = p->x == q->x ? q->y : q->x;
+    return (a > b) - (a < b);
 }
 
 // By how much b is left of the line from a to c, times the length of

@@ -49,27 +49,15 @@ static void fill(int side, uint32_t n, double width, uint64_t seed)
     qsort(half[side], n, sizeof *half[side], by_y);
 }
 
-// Sorted by y, so what is too far in y ends the search.
+// Sorted by y, so what is too far in y may be left out.
 static double nearest2_in(const struct halved *p,
                           const struct halved *half, uint32_t n)
 {
     double best2 = INFINITY;
-    uint32_t at = 0;
-    while (at < n && half[at].y < p->y)
-        at++;
-    for (uint32_t k = at; k < n; k++) {
-        double dy = half[k].y - p->y;
-        if (dy * dy > best2)
-            break;
-        if (&half[k] != p)
-            best2 = fmin(best2, between(p, &half[k]));
-    }
-    for (uint32_t k = at; k-- > 0;) {
-        double dy = half[k].y - p->y;
-        if (dy * dy > best2)
-            break;
-        if (&half[k] != p)
-            best2 = fmin(best2, between(p, &half[k]));
+    for (const struct halved *q = half; q < half + n; q++) {
+        const double dy = q->y - p->y;
+        if (q != p && dy * dy <= best2)
+            best2 = fmin(best2, between(p, q));
     }
     return best2;
 }

@@ -100,9 +100,9 @@ static uint32_t *fresh;
 // aside, and the count makes each comparison.
 static uint32_t count_and_copy(void)
 {
-    uint32_t less = 0;
+    uint32_t less = 0, number;
     for (uint32_t k = 0; k < n; k++) {
-        const uint32_t number = list[k];
+        number = list[k];
         room[k] = number;
         less += value[number] < cut;
         __asm__ volatile("" ::: "memory"); // one by one

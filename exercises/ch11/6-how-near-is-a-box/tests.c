@@ -31,9 +31,9 @@ static double least(double low, double high, double at, double period)
 
 static double right(void)
 {
-    double dx = least(box.left, box.right, x, width);
-    double dy = least(box.bottom, box.top, y, height);
-    return dx * dx + dy * dy;
+    const double apart_in[2] = {least(box.left, box.right, x, width),
+                                least(box.bottom, box.top, y, height)};
+    return apart_in[0] * apart_in[0] + apart_in[1] * apart_in[1];
 }
 
 static void take(struct random *random)

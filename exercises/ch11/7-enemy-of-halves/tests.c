@@ -4,7 +4,6 @@
 #include "kit.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static int ascending(const void *one, const void *other)
 {
@@ -45,7 +44,8 @@ static uint32_t try_depth(uint32_t n)
     kit_given("%u numbers", n);
     CALL(STUDENT(go_deep)(x, n));
     double *sorted = malloc(n * sizeof *sorted);
-    memcpy(sorted, x, n * sizeof *sorted);
+    for (uint32_t k = 0; k < n; k++)
+        sorted[k] = x[k];
     qsort(sorted, n, sizeof *sorted, ascending);
     for (uint32_t k = 0; k < n; k++) {
         if (!(sorted[k] >= 0 && sorted[k] <= 1))
