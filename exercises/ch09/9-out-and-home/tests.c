@@ -143,7 +143,9 @@ static void check_out(void)
             continue;
         WRONG(.where = kit_text("place %u of SORTED", s),
               .expected = tell(given[s]), .found = tell(found),
-              .cause = found.index < n && found.cell == given[s].cell
+              .cause = found.index == s
+                           ? "These stand in the order of the input."
+                       : found.index < n && found.cell == given[s].cell
                            ? "The cell is right, but points of a cell "
                              "keep their order: so must each pass."
                            : "Is each bucket sorted by cell, and does "
@@ -161,9 +163,12 @@ static void check_home(void)
             WRONG(.where = kit_text("place %u of OUTPUT", i),
                   .expected = kit_text("the result of point %u", i),
                   .found = tell(found),
-                  .cause = "A result's index is its place in OUTPUT. "
-                           "Has the last bucket been brought home, "
-                           "which may not be full?");
+                  .cause =
+                      memcmp(&found, &given[i], sizeof found) == 0
+                          ? "These stand in the order of SORTED."
+                          : "A result's index is its place in OUTPUT. "
+                            "Has the last bucket been brought home, "
+                            "which may not be full?");
     }
 }
 
