@@ -320,17 +320,19 @@ $(peers): $(BUILD)/plain/peers/%.o: code/peers/%.cc $(BUILD)/flags \
 	$(Q)$(CXX) $(CPPFLAGS) -DCGAL_LINKED_WITH_TBB $(PEERFLAGS) -Wall -Wextra \
 		$(WERROR) -c $< -o $@
 
-$(BUILD)/plain/peers/compare.o: CPPFLAGS += -DPEER_FLAGS='"$(PEERFLAGS)"'
+$(BUILD)/plain/peers/contenders.o: CPPFLAGS += -DPEER_FLAGS='"$(PEERFLAGS)"'
 
-$(BUILD)/peers/compare: $(BUILD)/plain/peers/compare.o $(peers) \
-		$(libraries)
+contests := $(BUILD)/peers/compare $(BUILD)/peers/crowds
+$(contests): $(BUILD)/peers/%: $(BUILD)/plain/peers/%.o $(libraries) \
+		$(peers)
 	@mkdir -p $(@D)
 	$(call say,link)
-	$(Q)$(CXX) $(PEERFLAGS) $^ -o $@ $(PEERLIBS) $(LDLIBS)
+	$(Q)$(CXX) $(PEERFLAGS) $< $(libraries) $(peers) $(libraries) -o $@ \
+		$(PEERLIBS) $(LDLIBS)
 
-#: measure other libraries beside the book (QUICK=yes: a glimpse)
-peers: $(BUILD)/peers/compare
-	@BUILD=$(BUILD) QUICK=$(QUICK) book/experiments/peers
+#: measure other libraries beside the book (QUICK=yes: a glimpse; FILES=...)
+peers: $(contests)
+	@BUILD=$(BUILD) QUICK=$(QUICK) book/experiments/peers $(FILES)
 
 # ---- exercises -----------------------------------------------------
 # exercises/ch02/1-nearest-pair is exercise 2.1. An answer that is wrong

@@ -22,7 +22,7 @@ cell(program, kind, order, what) = strcol("program") eq program && \
   strcol("kind") eq kind && strcol("order") eq order ? column(what) : NaN
 set datafile missing NaN
 set logscale xy
-set xrange [700:14000000]
+set xrange [700:*]
 unset key
 set multiplot layout 3,2 margins 0.11,0.985,0.15,0.955 spacing 0.035,0.035
 do for [kind in "uniform clustered kuzmin"] {

@@ -7,6 +7,7 @@
 #include "ch11-crowds/arcs.h"
 #include "ch11-crowds/divide.h"
 #include "ch11-crowds/evenness.h"
+#include "ch11-crowds/experiments/predict.h"
 #include "ch11-crowds/piece_search.h"
 #include "common/allocate.h"
 #include "common/generate.h"
@@ -206,6 +207,31 @@ static void no_crowd_is_quadratic(void)
             }
 }
 
+// Within a tenth, from the density of the points and from their counts.
+static void distances_are_predicted(void)
+{
+    static const char *const kinds[] = {"uniform", "clustered",
+                                        "kuzmin", "log-normal"};
+    enum { N = 100000, SEED = 1 };
+    for (int k = 0; k < 4; k++) {
+        struct points points =
+            generate(find_distribution(kinds[k]), N, SEED);
+        struct question question = ask(points, STANDARD, 1);
+        struct workspace workspace = {0};
+        const struct pieces pieces = pieces_make(&question, &workspace);
+        const double counted = distances("adaptive", question, NEAREST);
+        const double predicted[] = {
+            predict_from_counts(&pieces),
+            predict_from_density(&pieces, kinds[k], SEED)};
+        for (int way = 0; way < 2; way++)
+            CHECK(fabs(predicted[way] / counted - 1) < 0.1,
+                  "%s, way %d: %g predicted, %g counted", kinds[k], way,
+                  predicted[way], counted);
+        workspace_free(&workspace);
+        points_free(&points);
+    }
+}
+
 static void threads_count_alike(void)
 {
     for (int d = 0; d < distribution_count; d++) {
@@ -379,8 +405,8 @@ int main(void)
     return RUN_TESTS(
         "ch11", TEST(every_generator), TEST(moved_and_stretched),
         TEST(ties), TEST(no_crowd_is_quadratic),
-        TEST(threads_count_alike), TEST(halves_are_n_log_n),
-        TEST(pieces_hold_all_points), TEST(cuts_are_balanced),
-        TEST(even_points_get_a_grid),
+        TEST(distances_are_predicted), TEST(threads_count_alike),
+        TEST(halves_are_n_log_n), TEST(pieces_hold_all_points),
+        TEST(cuts_are_balanced), TEST(even_points_get_a_grid),
         TEST(a_second_answer_takes_no_memory));
 }
