@@ -3,9 +3,8 @@
 // |g|^2 + |v|^2 + 2 g v from the query q. The first term is known, the
 // second is the same for all corners if o is the center of the arc's
 // circle, and the third is at most what the arc's turned box allows.
-#include "ch11-crowds/arcs.h"
+#include "ch11-crowds/arc_search.h"
 #include "common/min_max.h"
-#include <math.h>
 
 //> Bound the arcs of a fan
 // Each by the less of two bounds: that of its box, and that of its
@@ -15,8 +14,8 @@ static inline double most_of(double factor, double low, double high)
     return MAX(factor * low, factor * high);
 }
 
-static void bound_arcs(const struct fan *fan, double x, double y,
-                       double bound[FAN])
+void arcs_bound(const struct fan *fan, double x, double y,
+                double bound[FAN])
 {
     for (int k = 0; k < FAN; k++) {
         const double gx = fan->ox[k] - x, gy = fan->oy[k] - y;
@@ -34,16 +33,7 @@ static void bound_arcs(const struct fan *fan, double x, double y,
 }
 //<
 
-//> Choose among eight
-// Those that are no less than something, as bits; and the best of some.
-static inline uint32_t no_less(const double value[FAN], double least)
-{
-    uint32_t set = 0;
-    for (int k = 0; k < FAN; k++)
-        set |= (uint32_t)(value[k] >= least) << k;
-    return set;
-}
-
+//> Choose the best of some
 static inline int best_of(const double bound[FAN], uint32_t open)
 {
     int best = __builtin_ctz(open);
@@ -63,8 +53,8 @@ static inline double greatest(const double v[PER_ARC])
                MAX(MAX(v[4], v[5]), MAX(v[6], v[7])));
 }
 
-static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
-                         struct arc_query *query)
+void arcs_compare_leaf(const struct arcs *arcs, uint32_t leaf,
+                       struct arc_query *query)
 {
     const uint32_t from = leaf * PER_ARC;
     double far2[PER_ARC];
@@ -88,13 +78,13 @@ static void compare_leaf(const struct arcs *arcs, uint32_t leaf,
 
 //> Search a fan and those below it
 // Only the arcs in this set; the best first.
-static void search_fan(const struct arcs *arcs, int level,
-                       uint32_t number, uint32_t set,
-                       struct arc_query *query)
+void arcs_search_fan(const struct arcs *arcs, int level,
+                     uint32_t number, uint32_t set,
+                     struct arc_query *query)
 {
     const struct fan *fan = &arcs->level[level][number];
     double bound[FAN];
-    bound_arcs(fan, query->x, query->y, bound);
+    arcs_bound(fan, query->x, query->y, bound);
     for (uint32_t open = set & no_less(bound, query->max2); open;) {
         const int k = best_of(bound, open);
         open &= ~(1u << k);
@@ -103,10 +93,10 @@ static void search_fan(const struct arcs *arcs, int level,
              fan->lowest[k] >= query->furthest))
             continue;
         if (level == 0)
-            compare_leaf(arcs, number * FAN + k, query);
+            arcs_compare_leaf(arcs, number * FAN + k, query);
         else
-            search_fan(arcs, level - 1, number * FAN + k, ALL_ARCS,
-                       query);
+            arcs_search_fan(arcs, level - 1, number * FAN + k, ALL_ARCS,
+                            query);
     }
 }
 //<
@@ -119,107 +109,11 @@ void arcs_furthest(const struct arcs *arcs, struct arc_query *query)
     uint32_t arc = query->corner / PER_ARC;
     query->max2 = -1;
     query->furthest = NO_INDEX;
-    compare_leaf(arcs, arc, query);
+    arcs_compare_leaf(arcs, arc, query);
     for (int level = 0; level < arcs->levels; level++) {
-        search_fan(arcs, level, arc / FAN,
-                   ALL_ARCS & ~(1u << arc % FAN), query);
+        arcs_search_fan(arcs, level, arc / FAN,
+                        ALL_ARCS & ~(1u << arc % FAN), query);
         arc /= FAN;
-    }
-}
-//<
-
-//> List the arcs for a box
-// Let c be the middle of the box, r as far as it reaches from there, b
-// the furthest corner of c, and a corner a in some arc. For a query q
-// in the box,
-//     |q - a|^2 - |q - b|^2
-//         = |c - a|^2 - |c - b|^2 + 2 (q - c)(b - a)
-// is at most |c - a|^2 - |c - b|^2 + 2 r |b - a|. If that is negative
-// for the bound of the arc, and by more than rounding can do, b is
-// further than all of the arc, from everywhere in the box.
-struct listing {
-    const struct arcs *arcs;
-    const struct arc_query *middle; // c, and its furthest
-    double x, y, twice_r;           // b, and 2 r
-    struct shortlist *list;
-};
-
-//> Raise the bounds for all of a box
-static void add_slack(const struct listing *listing,
-                      const struct fan *fan, double bound[FAN])
-{
-    const double x = listing->x, y = listing->y;
-    const double diameter = listing->arcs->diameter;
-    for (int k = 0; k < FAN; k++) {
-        const double apart2 =
-            distance2(MAX(x - fan->left[k], fan->right[k] - x),
-                      MAX(y - fan->bottom[k], fan->top[k] - y));
-        bound[k] += listing->twice_r * sqrt(apart2) +
-                    0x1p-44 * diameter * diameter;
-    }
-}
-//<
-
-//> List the arcs of a fan
-static void list_fan(const struct listing *listing, int level,
-                     uint32_t number)
-{
-    const struct fan *fan = &listing->arcs->level[level][number];
-    struct shortlist *list = listing->list;
-    double bound[FAN];
-    bound_arcs(fan, listing->middle->x, listing->middle->y, bound);
-    add_slack(listing, fan, bound);
-    uint32_t open = no_less(bound, listing->middle->max2);
-    if (open == 0 || !list->complete)
-        return;
-    if (level > 0) {
-        for (; open; open &= open - 1)
-            list_fan(listing, level - 1,
-                     number * FAN + (uint32_t)__builtin_ctz(open));
-    } else if (list->count == MOST_LISTED) {
-        list->complete = false;
-    } else {
-        list->fan[list->count] = number;
-        list->set[list->count++] = open;
-    }
-}
-//<
-
-void arcs_list(const struct arcs *arcs, const struct box *box,
-               struct arc_query *query, struct shortlist *list)
-{
-    query->x = box->left + (box->right - box->left) / 2;
-    query->y = box->bottom + (box->top - box->bottom) / 2;
-    arcs_furthest(arcs, query);
-    const double r = sqrt(
-        distance2(MAX(query->x - box->left, box->right - query->x),
-                  MAX(query->y - box->bottom, box->top - query->y)));
-    const struct listing listing = {arcs,
-                                    query,
-                                    arcs->points.x[query->corner],
-                                    arcs->points.y[query->corner],
-                                    2 * r * (1 + 0x1p-40),
-                                    list};
-    list->complete = true;
-    list->count = 0;
-    list_fan(&listing, arcs->levels - 1, 0);
-}
-//<
-
-//> Search a shortlist
-void arcs_furthest_listed(const struct arcs *arcs,
-                          const struct shortlist *list,
-                          struct arc_query *query)
-{
-    const uint32_t leaf = query->corner / PER_ARC;
-    query->max2 = -1;
-    query->furthest = NO_INDEX;
-    compare_leaf(arcs, leaf, query);
-    for (int k = 0; k < list->count; k++) {
-        const bool again = list->fan[k] == leaf / FAN;
-        search_fan(arcs, 0, list->fan[k],
-                   list->set[k] & ~((uint32_t)again << leaf % FAN),
-                   query);
     }
 }
 //<

@@ -59,15 +59,17 @@ struct arc_query {
 // is tried first whether the corner that the query has is far.
 void arcs_furthest(const struct arcs *arcs, struct arc_query *query);
 
-//> Hold a shortlist of arcs
+//> Hold a shortlist
 // Fans of leaf arcs, and of each some of its arcs as bits. Complete, if
-// the furthest corners of all points in a box are in them.
-enum { MOST_LISTED = 16, ALL_ARCS = (1 << FAN) - 1 };
+// the furthest corners of all points in a box are in them. Short, if
+// these are among a few corners.
+enum { MOST_LISTED = 16, MOST_CORNERS = 16, ALL_ARCS = (1 << FAN) - 1 };
 
 struct shortlist {
-    bool complete;
-    int count;
+    bool complete, is_short;
+    int fans, corners;
     uint32_t fan[MOST_LISTED], set[MOST_LISTED];
+    uint32_t corner[MOST_CORNERS];
 };
 //<
 

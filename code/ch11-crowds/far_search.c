@@ -8,10 +8,6 @@
 #include "ch11-crowds/ask_pieces.h"
 #include "common/min_max.h"
 
-// Lists of corners are no longer than this, so that they may be
-// compared with a query one by one.
-enum { FEW_CORNERS = 128 };
-
 //> Hold a search for the furthest
 struct far_search {
     const struct question *question;
@@ -111,15 +107,57 @@ static void search_and_restore(struct far_search search,
 }
 //<
 
+//> Measure the lists of corners
+// How many corners a point is compared with in the candidate grid, on
+// average over a sample.
+enum { SAMPLE = 1024 };
+
+static double length_of_lists(const struct far_search *search,
+                              const struct corners *corners,
+                              const struct candidate_grid *grid,
+                              struct workspace *workspace)
+{
+    const struct points all = search->pieces->sorted.points;
+    const uint32_t n = MIN(all.n, SAMPLE);
+    struct mark mark = workspace_mark(workspace);
+    const struct points sample = corners_take(n, workspace).points;
+    struct answers answers = {
+        .furthest = workspace_take(workspace, n, sizeof(uint32_t)),
+        .furthest2 = workspace_take(workspace, n, sizeof(double))};
+    struct counts counts = {0};
+    for (uint32_t k = 0; k < n; k++) {
+        const uint32_t s = (uint64_t)all.n * k / n;
+        sample.x[k] = all.x[s];
+        sample.y[k] = all.y[s];
+    }
+    const struct question question = {sample, search->question->space,
+                                      1, &counts};
+    search_candidate_grid(&question, corners, grid, &answers);
+    workspace_release(workspace, mark);
+    return (double)counts.distances / n;
+}
+//<
+
 //> Search for the furthest corner
-static void search_few(const struct question *question,
-                       const struct corners *corners,
+// In the candidate grid if there are not too many corners, and if the
+// lists are short where most points are.
+static bool search_few(const struct far_search *search,
+                       struct corners corners,
                        struct workspace *workspace,
                        struct answers *answers)
 {
-    const struct candidate_grid grid =
-        candidate_grid_make(corners, question->points.n, workspace);
-    search_candidate_grid(question, corners, &grid, answers);
+    enum { MANY_CORNERS = 1024 };
+    const double short_list = PER_ARC;
+    if (corners.points.n > MANY_CORNERS)
+        return false;
+    corners = corners_by_index(corners, workspace);
+    const struct candidate_grid grid = candidate_grid_make(
+        &corners, search->question->points.n, workspace);
+    if (length_of_lists(search, &corners, &grid, workspace) >
+        short_list)
+        return false;
+    search_candidate_grid(search->question, &corners, &grid, answers);
+    return true;
 }
 
 static void search_corners_of(const struct far_search *search,
@@ -127,13 +165,10 @@ static void search_corners_of(const struct far_search *search,
                               struct answers *answers)
 {
     const struct sorted *sorted = &search->pieces->sorted;
-    struct corners corners = corners_from_left(
+    const struct corners corners = corners_from_left(
         (struct corners){sorted->points, sorted->cells.point},
         search->question->threads, workspace);
-    if (corners.points.n <= FEW_CORNERS) {
-        corners = corners_by_index(corners, workspace);
-        search_few(search->question, &corners, workspace, answers);
-    } else {
+    if (!search_few(search, corners, workspace, answers)) {
         const struct arcs arcs = arcs_make(&corners, workspace);
         struct far_search by_arcs = *search;
         by_arcs.arcs = &arcs;
