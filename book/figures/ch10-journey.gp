@@ -14,10 +14,11 @@ unset grid
 set grid xtics lc rgb "#dddddd" lw 0.5 dt 1
 set logscale x
 set format x powers
-set xlabel "ns a point" offset 0,0.4
+set xlabel "ns a point" offset 0,0.6
 set yrange [rows - 0.5:-0.6]
 set ytics scale 0 font ",8"
-set key outside bottom center horizontal maxrows 3 samplen 2 spacing 1.2
+set bmargin at screen 0.215
+set key at screen 0.55,0.01 center bottom horizontal maxrows 3 samplen 2 spacing 1.2
 name(k) = system(sprintf("echo %s | tr _ -", strcol(1)))
 set print $reported
 print "ns\trow"
