@@ -26,6 +26,20 @@ function latex.text(s)
     :gsub("10([\xc2\xe2][\xb2\xb3\xb9\x81\x82][\x80-\xff]*)", exponent))
 end
 
+-- Text for the PDF's own use, which no font sets: UTF-16, in hexadecimal.
+function latex.pdf_text(s)
+  local units = { "FEFF" }
+  for _, code in utf8.codes(s) do
+    if code < 0x10000 then
+      table.insert(units, ("%04X"):format(code))
+    else
+      table.insert(units, ("%04X%04X"):format(
+        0xD800 + ((code - 0x10000) >> 10), 0xDC00 + (code & 0x3FF)))
+    end
+  end
+  return table.concat(units)
+end
+
 -- Words from a comment or a title: quotes become typographic, and what
 -- stands between backticks is code.
 function latex.prose(s)

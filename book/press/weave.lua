@@ -94,7 +94,7 @@ local function figure(image, caption, identifier)
       build, build)
   else
     plot = ("\\plot{%s}{%s}"):format(name,
-      latex.text(alternative.of(name)))
+      latex.pdf_text(alternative.of(name)))
   end
   if #caption == 0 then fault(words, "this figure needs a caption") end
   context.caption = identifier ~= "" and identifier or nil
