@@ -47,9 +47,9 @@ static void check_atomic(const struct grid *grid, struct points points,
 {
     const uint32_t m = grid_cells(grid), n = points.n;
     struct cells found = cells_sort_atomic(grid, points, threads);
-    uint32_t *cell_id = allocate(n, sizeof *cell_id);
     uint32_t *times = allocate(n, sizeof *times);
     memset(times, 0, n * sizeof *times);
+    uint32_t *cell_id = allocate(n, sizeof *cell_id);
     find_cell_ids(grid, points, 0, n, cell_id);
     if (same_numbers(right->start, found.start, m + 1, "start", what))
         for (uint32_t k = 0; k < m; k++)
