@@ -113,6 +113,17 @@ static uint32_t columns_of(double width, double height, double cells)
 }
 //<
 
+//> Take the box of the points
+void box_of_points(const struct question *question, struct extent *x,
+                   struct extent *y)
+{
+    const struct points p = question->points;
+    const struct extent *box = question->box;
+    *x = box ? box[0] : extent_of(p.x, p.n, question->threads);
+    *y = box ? box[1] : extent_of(p.y, p.n, question->threads);
+}
+//<
+
 //> Fit a grid to the points
 struct grid grid_fit_in(struct workspace *workspace,
                         const struct question *question, double c)
@@ -120,8 +131,8 @@ struct grid grid_fit_in(struct workspace *workspace,
     assert(c > 0 && "cells hold some points");
     const struct points p = question->points;
     const struct space space = question->space;
-    const struct extent x = extent_of(p.x, p.n, question->threads);
-    const struct extent y = extent_of(p.y, p.n, question->threads);
+    struct extent x, y;
+    box_of_points(question, &x, &y);
     bool wraps = space.geometry == WRAPAROUND;
     double width = wraps ? space.width : x.high - x.low;
     double height = wraps ? space.height : y.high - y.low;

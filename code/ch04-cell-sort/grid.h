@@ -79,6 +79,11 @@ void axis_free(struct axis *axis);
 // The least and the greatest of n >= 1 numbers, by so many threads.
 struct extent extent_of(const double *values, uint32_t n, int threads);
 
+// The extents of the question's points: those that it brings, or else
+// found.
+void box_of_points(const struct question *question, struct extent *x,
+                   struct extent *y);
+
 // A grid of nearly square cells over the points, about n / c of them
 // and never more than n / c + 1, so that a cell holds c points on
 // average; c > 0. Released with grid_free.

@@ -54,13 +54,17 @@ bool is_even(const struct evenness *evenness)
 static void choose_and_search(const struct question *question,
                               struct answers *answers)
 {
+    struct extent box[2];
+    struct question known = *question;
+    box_of_points(question, &box[0], &box[1]);
+    known.box = box;
     const struct evenness evenness =
-        measure_evenness(question, question->workspace);
+        measure_evenness(&known, question->workspace);
     const bool even = is_even(&evenness);
     if (question->by)
         *question->by = even ? "near-and-far" : "adaptive";
     if (even)
-        near_and_far(question, answers);
+        near_and_far(&known, answers);
     else
         adaptive(question, answers);
 }

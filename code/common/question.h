@@ -6,6 +6,7 @@
 #include "common/points.h"
 
 struct workspace;
+struct extent;
 
 struct question {
     struct points points;  // n >= 2, all coordinates finite
@@ -15,6 +16,7 @@ struct question {
     struct workspace *workspace; // the caller's; NULL: a temporary one
     int64_t *built_ns; // when what is searched was built; or NULL
     const char **by;   // the row it was left to, if any; or NULL
+    const struct extent *box; // of x and of y, if known; or NULL
 };
 
 // Notes the time: what is searched has been built.
