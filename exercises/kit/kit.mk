@@ -107,6 +107,7 @@ $(K)/$(1)/rival.result: exercises/$(1)/solution.c $(kit) \
 
 $(K)/$(1)/naive.result: exercises/$(1)/naive.c $(kit) \
 		$(K)/optimized/$(1)/grader
+	@mkdir -p $$(@D)
 	exercises/kit/check naive $(1) >$$@
 
 $(K)/$(1)/mutants/%.result: exercises/$(1)/mutants/%.sed $(kit) \
