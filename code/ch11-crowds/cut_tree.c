@@ -26,12 +26,13 @@ static struct point_record *draw(struct points points, uint32_t count,
 
 //> Cut the sample
 //> Take a side of a region
+// Where nothing is cut, at -INFINITY, the second side is all of it.
 static struct box side_of(struct box region, struct cut cut,
                           bool second)
 {
     double *edge = second ? (cut.by_y ? &region.bottom : &region.left)
                           : (cut.by_y ? &region.top : &region.right);
-    *edge = cut.at;
+    *edge = second ? MAX(*edge, cut.at) : MIN(*edge, cut.at);
     return region;
 }
 //<

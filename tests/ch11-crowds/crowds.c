@@ -118,6 +118,55 @@ static void every_generator(void)
         }
 }
 
+// So many points that there are cuts, judged by the tiles of chapter 2.
+static void check_cut(const char *name, struct points points)
+{
+    struct answers right = answers_allocate(points.n);
+    for (int g = STANDARD; g <= WRAPAROUND; g++) {
+        struct question question = ask(points, g, 2);
+        if (!isfinite(question.space.width) ||
+            !isfinite(question.space.height))
+            continue;
+        find_algorithm("tiles")->run(&question, &right);
+        check_one(name, &question, &right);
+    }
+    answers_free(&right);
+}
+
+// A share of the points in one place, so that parts of the sample are
+// only that place, and cannot be cut.
+static struct points with_a_heavy_place(uint32_t n, double share,
+                                        uint64_t seed)
+{
+    struct points points =
+        generate(find_distribution("uniform"), n, seed);
+    struct random random = {seed};
+    for (uint32_t i = 0; i < n; i++)
+        if (random_uniform(&random) < share)
+            points.x[i] = 0.3, points.y[i] = 0.5;
+    return points;
+}
+
+static void tens_of_thousands(void)
+{
+    static const double shares[] = {0.5, 0.8, 0.9, 0.97, 0.99};
+    const uint32_t n = at_most("MOST_POINTS", 40000);
+    for (int d = 0; d < distribution_count; d++) {
+        test_seed(2);
+        struct points points = generate(&distributions[d], n, 2);
+        check_cut(distributions[d].name, points);
+        points_free(&points);
+    }
+    for (int k = 0; k < 5; k++)
+        for (int seed = 1; seed <= 2; seed++) {
+            test_seed(seed);
+            struct points points =
+                with_a_heavy_place(n, shares[k], seed);
+            check_cut("heavy", points);
+            points_free(&points);
+        }
+}
+
 static void check_moved(const char *name, double scale, double x,
                         double y)
 {
@@ -406,10 +455,11 @@ static void a_second_answer_takes_no_memory(void)
 int main(void)
 {
     return RUN_TESTS(
-        "ch11", TEST(every_generator), TEST(moved_and_stretched),
-        TEST(ties), TEST(no_crowd_is_quadratic),
-        TEST(distances_are_predicted), TEST(threads_count_alike),
-        TEST(halves_are_n_log_n), TEST(pieces_hold_all_points),
-        TEST(cuts_are_balanced), TEST(even_points_get_a_grid),
+        "ch11", TEST(every_generator), TEST(tens_of_thousands),
+        TEST(moved_and_stretched), TEST(ties),
+        TEST(no_crowd_is_quadratic), TEST(distances_are_predicted),
+        TEST(threads_count_alike), TEST(halves_are_n_log_n),
+        TEST(pieces_hold_all_points), TEST(cuts_are_balanced),
+        TEST(even_points_get_a_grid),
         TEST(a_second_answer_takes_no_memory));
 }
