@@ -194,6 +194,7 @@ struct corners corners_from_left(struct corners among, int threads,
 }
 //<
 
+//> Find the corners by index
 struct corners corners_among(struct corners points, int threads,
                              struct workspace *workspace)
 {
@@ -207,4 +208,5 @@ struct corners corners_find(const struct question *question,
     return corners_among((struct corners){question->points, NULL},
                          question->threads, workspace);
 }
+//<
 //<
