@@ -93,7 +93,8 @@ says 'and leaves the old file alone' 'answers.tsv before' \
     "$(ls -A) $(cat answers.tsv)"
 (ulimit -f 8 && "$near" -n 5000 -o answers.tsv 2>"$err")
 says 'a file too large' \
-    '2 near: cannot write answers.tsv: File too large' "$? $(cat "$err")"
+    '2 near: cannot write answers.tsv: File too large' \
+    "$? $(grep -v '^libgcov' "$err")" # whose counts do not fit, either
 says 'leaves the old one alone, too' 'answers.tsv before' \
     "$(ls -A) $(cat answers.tsv)"
 rm answers.tsv
