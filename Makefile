@@ -34,14 +34,14 @@ LDLIBS   := -lm
 # ---- what there is -------------------------------------------------
 chapters  := $(patsubst code/ch%,%,$(wildcard code/ch*))
 modules     := $(wildcard code/*.c code/common/*.c code/ch*/*.c)
-clients     := $(wildcard code/ch*/experiments/*.c code/near/*.c code/peers/*.c)
+clients     := $(wildcard code/ch*/experiments/*.c code/near/*.c code/range/*.c code/peers/*.c)
 sources     := $(modules) $(clients)
 # What has no .h is a program; the rest is shared by programs and tests.
 shared      := $(foreach c,$(clients),$(if $(wildcard $(c:.c=.h)),$(c)))
-mains       := $(filter-out $(shared) code/near/% code/peers/%,$(clients))
+mains       := $(filter-out $(shared) code/near/% code/range/% code/peers/%,$(clients))
 chapter_of   = ch$(firstword $(subst -, ,$(patsubst code/ch%,%,$(1))))
 program_of   = $(BUILD)/$(call chapter_of,$(1))/$(basename $(notdir $(1)))
-programs    := $(BUILD)/near $(foreach c,$(mains),$(call program_of,$(c)))
+programs    := $(BUILD)/near $(BUILD)/range $(foreach c,$(mains),$(call program_of,$(c)))
 
 # gnuplot wants to know that degrees and dashes are written in UTF-8.
 export LC_ALL = C.UTF-8
@@ -66,6 +66,8 @@ $(BUILD)/setup/%: setup
 # A level of tools stands on the one before.
 $(BUILD)/setup/test: | $(BUILD)/setup/code
 $(BUILD)/setup/book: | $(BUILD)/setup/test
+$(BUILD)/setup/web: | $(BUILD)/setup/book
+$(BUILD)/setup/check-web: | $(BUILD)/setup/web
 $(BUILD)/setup/check: | $(BUILD)/setup/test
 $(BUILD)/setup/peers: | $(BUILD)/setup/code
 $(BUILD)/setup/arm64: | $(BUILD)/setup/code
@@ -136,13 +138,14 @@ $(1): $(2) $(charconv) $(if $(wildcard $(1).d),|) $(libraries)
 	@rm $$@.taken; test -s $$@.d || rm $$@.d
 endef
 $(eval $(call link_rule,$(BUILD)/near,$(BUILD)/plain/near/near.o))
+$(eval $(call link_rule,$(BUILD)/range,$(BUILD)/plain/range/range.o))
 $(foreach c,$(mains),$(eval $(call link_rule,$(call program_of,$(c)),$(call object_of,$(c)))))
 
 # ---- tests ---------------------------------------------------------
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
 # The longest first, or one would be left alone with a processor.
 longest       := exercises sheet press corpus grade
-all_tests     := $(patsubst tests/%/.,%,$(wildcard tests/*/.))
+all_tests     := $(filter-out web,$(patsubst tests/%/.,%,$(wildcard tests/*/.)))
 TESTS         ?= $(filter $(all_tests),$(longest)) $(filter-out $(longest),$(all_tests))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)
 
@@ -164,8 +167,11 @@ $(emulated): | $(BUILD)/setup/test
 tests_of = $(patsubst %.c,$(BUILD)/plain/%.o,tests/harness.c $(wildcard tests/$(1)/*.c))
 $(foreach f,$(test_folders),$(eval $(call link_rule,$(BUILD)/tests/$(f),$(call tests_of,$(f)),-lcunit)))
 
+# What no other build of the programs changes.
+no_program    := exercises export grade manual press release sheet
+
 # The press runs what the book shows; the other tests want near at most.
-tried := $(if $(filter exercises grade manual press sheet,$(TESTS)),$(programs),$(BUILD)/near)
+tried := $(if $(filter exercises grade manual press sheet,$(TESTS)),$(programs),$(BUILD)/near $(BUILD)/range)
 
 #: every test: programs, command line, press, exercises
 test: $(tried) $(filter $(TESTS:%=$(BUILD)/tests/%),$(test_programs)) \
@@ -181,10 +187,13 @@ test-all: | $(BUILD)/setup/check
 # ---- the book ------------------------------------------------------
 figures := $(patsubst book/figures/%.gp,$(BUILD)/figures/%.pdf,\
 	$(filter-out book/figures/style.gp,$(wildcard book/figures/*.gp)))
-drawings := $(patsubst book/drawings/%.tex,$(BUILD)/drawings/%.pdf,\
+# One run of LaTeX draws all that a chapter has, each on a page.
+drawing_names := $(patsubst book/drawings/%.tex,%,\
 	$(filter-out book/drawings/style.tex,$(wildcard book/drawings/*.tex)))
-press   := CHANGES.md \
-	$(shell find book/press $(wildcard book/manual) book/*.md book/*.bib exercises -type f)
+drawn_in       = $(BUILD)/drawings/$(firstword $(subst -, ,$(1))).pdf
+drawings      := $(sort $(foreach d,$(drawing_names),$(call drawn_in,$(d))))
+press   := CHANGES.md $(shell find book/press book/*.md book/*.bib -type f) \
+	$(wildcard exercises/ch*/*/exercise.md)
 
 # A figure is drawn from the tables that its file names.
 tables := $(shell grep -o '/[a-z0-9-]*\.tsv' book/figures/*.gp)
@@ -196,11 +205,19 @@ $(BUILD)/figures/%.pdf: book/figures/%.gp book/figures/style.gp | $(BUILD)/setup
 	$(call say,draw)
 	$(Q)gnuplot -e "format = 'pdf'; output = '$@'; data = 'book/data'" $<
 
-$(BUILD)/drawings/%.pdf: book/drawings/%.tex book/drawings/style.tex \
-		book/drawings/draw | $(BUILD)/setup/book
+draw := book/drawings/style.tex book/drawings/draw
+$(BUILD)/drawings/%.pdf: book/drawings/%.tex $(draw) | $(BUILD)/setup/book
 	@mkdir -p $(@D)
 	$(call say,draw)
-	$(Q)book/drawings/draw $< $@
+	$(Q)book/drawings/draw $@ $<
+
+define drawings_rule
+$(1): $(wildcard book/drawings/$(basename $(notdir $(1)))-*.tex) $(draw) | $(BUILD)/setup/book
+	@mkdir -p $$(@D)
+	$$(call say,draw)
+	$$(Q)book/drawings/draw $$@ $$(filter-out $(draw),$$^)
+endef
+$(foreach d,$(drawings),$(eval $(call drawings_rule,$(d))))
 
 $(BUILD)/near-and-far.pdf: $(programs) $(figures) $(drawings) $(press) $(sources) \
 		$(wildcard chapters/*.md code/*.h code/*/*.h code/*/*/*.h code/*/*.cc book/data/*.tsv) \
@@ -215,24 +232,72 @@ check-book: $(programs) $(figures) $(drawings) | $(BUILD)/setup/test
 #: every figure, as PDF under build/figures
 figures: $(figures)
 
-#: every drawing, as PDF and SVG under build/drawings
-drawings: $(drawings) $(drawings:.pdf=.svg)
+#: every drawing, a PDF for each chapter, and as SVG under build/drawings
+drawings: $(drawings) $(drawing_names:%=$(BUILD)/drawings/%.svg)
 
-$(BUILD)/drawings/%.svg: $(BUILD)/drawings/%.pdf
+# A drawing is a page of its chapter's PDF, -f 3 -l 3; a plot is alone.
+on_page  = $(if $(wildcard book/drawings/$(1).tex),$$(awk '$$1 == "$(1)" \
+	{ print "-f", $$2, "-l", $$2 }' $(<:.pdf=.pages)))
+pictures := $(figures:$(BUILD)/%.pdf=$(BUILD)/pictures/%) \
+	$(drawing_names:%=$(BUILD)/pictures/drawings/%)
+$(foreach d,$(drawing_names),$(eval $(BUILD)/drawings/$(d).svg $(BUILD)/pictures/drawings/$(d).svg \
+	$(BUILD)/pictures/drawings/$(d).png: $(call drawn_in,$(d))))
+$(foreach f,$(figures),$(eval $(f:$(BUILD)/%.pdf=$(BUILD)/pictures/%.svg) \
+	$(f:$(BUILD)/%.pdf=$(BUILD)/pictures/%.png): $(f)))
+
+$(pictures:%=%.svg) $(drawing_names:%=$(BUILD)/drawings/%.svg): %.svg:
+	@mkdir -p $(@D)
 	$(call say,draw)
-	$(Q)pdftocairo -svg $< $@
-
-# A picture for slides of one's own, from the PDF of the book.
-pictures := $(patsubst $(BUILD)/%.pdf,$(BUILD)/pictures/%,$(figures) $(drawings))
-$(pictures:%=%.svg): $(BUILD)/pictures/%.svg: $(BUILD)/%.pdf
+	$(Q)pdftocairo -svg $(call on_page,$(notdir $*)) $< $@
+$(pictures:%=%.png): %.png:
 	@mkdir -p $(@D)
-	$(Q)pdftocairo -svg $< $@
-$(pictures:%=%.png): $(BUILD)/pictures/%.png: $(BUILD)/%.pdf
-	@mkdir -p $(@D)
-	$(Q)pdftocairo -png -r 300 -singlefile $< $(@:.png=)
+	$(call say,draw)
+	$(Q)pdftocairo -png -r 300 -singlefile $(call on_page,$(notdir $*)) $< $*
 
 #: drawings and plots as SVG and PNG, under build/pictures
 pictures: $(pictures:%=%.svg) $(pictures:%=%.png)
+
+# ---- the web edition -----------------------------------------------
+$(BUILD)/fonts/done: book/web/fonts | $(BUILD)/setup/web
+	@mkdir -p $(@D)
+	$(Q)book/web/fonts $(@D) && touch $@
+
+# The modules once more, for browsers: one thread, no instruction sets.
+# The page hands over texts in place of files.
+wasm := $(filter-out code/common/stream.c code/common/report.c code/common/experiment.c,\
+	$(foreach m,$(modules),$(if $(findstring avx,$(m)),,$(m)))) $(wildcard code/web/*.c)
+$(BUILD)/near.wasm: $(wasm) $(wildcard code/*.h code/*/*.h code/web/sys/*.h) | $(BUILD)/setup/web
+	$(call say,compile)
+	$(Q)clang --target=wasm32-wasi -mexec-model=reactor -std=c17 -O3 -msimd128 \
+		-ffp-contract=off -D_GNU_SOURCE -Icode -Icode/web -Wall -Wextra \
+		-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-variable \
+		-Wno-missing-field-initializers $(WERROR) $(wasm) -o $@ \
+		-lm -Wl,--gc-sections -Wl,--strip-all
+
+# As text in a script: so a page that is a file can load it.
+$(BUILD)/near.js: $(BUILD)/near.wasm
+	@{ printf 'live.module = "'; base64 <$< | tr -d '\n'; echo '";'; } >$@
+
+$(BUILD)/web/index.html: $(programs) $(pictures:%=%.svg) $(BUILD)/fonts/done $(press) \
+		$(sources) $(wildcard chapters/*.md code/*.h code/*/*.h code/*/*/*.h \
+		code/*/*.cc book/data/*.tsv book/web/* book/web/live/*) $(BUILD)/near.js \
+		| $(BUILD)/setup/web
+	$(call say,print)
+	@rm -rf $(@D) && mkdir -p $(@D)/fonts $(@D)/pictures $(@D)/live
+	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --web $(@D) --build $(BUILD)
+	@cp book/web/*.css book/web/*.js $(@D)
+	@cp book/web/live/*.js $(BUILD)/near.js $(@D)/live
+	@cp $(BUILD)/fonts/*.woff2 $(@D)/fonts
+	@cp $(pictures:%=%.svg) $(@D)/pictures
+
+#: the web edition, under build/web: open index.html there
+web: $(BUILD)/web/index.html
+
+#: the web edition's links, numbers, HTML, and looks in a browser
+check-web: $(BUILD)/web/index.html | $(BUILD)/setup/check-web
+	@mkdir -p $(BUILD)/web-check && cp tests/web/package.json $(BUILD)/web-check
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/web-check
+	@BUILD=$(BUILD) CC="$(CC)" tests/run web
 
 # ---- slides --------------------------------------------------------
 #: the slides of chapter N: build/slides/chNN.pdf
@@ -249,7 +314,7 @@ $(BUILD)/slides/figures/%.pdf: book/figures/%.gp book/figures/style.gp | $(BUILD
 slides      := $(patsubst chapters/slides/%.md,%,$(wildcard chapters/slides/ch*.md))
 shown       := $(shell grep -o ']([a-z0-9-]*)' $(slides:%=chapters/slides/%.md) /dev/null | tr -d '()]')
 shown_in     = $(patsubst chapters/slides/$(1).md:%,%,$(filter chapters/slides/$(1).md:%,$(shown)))
-picture_of   = $(if $(wildcard book/drawings/$(1).tex),$(BUILD)/drawings,$(BUILD)/slides/figures)/$(1).pdf
+picture_of   = $(if $(wildcard book/drawings/$(1).tex),$(call drawn_in,$(1)),$(BUILD)/slides/figures/$(1).pdf)
 define slides_rule
 .PHONY: slides$(call number_of,$(1:ch%=%))
 slides$(call number_of,$(1:ch%=%)): $(BUILD)/slides/$(1).pdf
@@ -322,7 +387,7 @@ $(peers): $(BUILD)/plain/peers/%.o: code/peers/%.cc $(BUILD)/flags \
 
 $(BUILD)/plain/peers/contenders.o: CPPFLAGS += -DPEER_FLAGS='"$(PEERFLAGS)"'
 
-contests := $(BUILD)/peers/compare $(BUILD)/peers/crowds
+contests := $(addprefix $(BUILD)/peers/,compare crowds ranges)
 $(contests): $(BUILD)/peers/%: $(BUILD)/plain/peers/%.o $(libraries) \
 		$(peers)
 	@mkdir -p $(@D)
@@ -385,7 +450,7 @@ check-mutations: | $(BUILD)/setup/test
 #: the programs' tests under sanitizers, and what they cover
 check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
-		TESTS="$(filter-out exercises grade manual press sheet,$(TESTS))" \
+		TESTS="$(filter-out $(no_program),$(TESTS))" \
 		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
 		-fsanitize=address,undefined,float-cast-overflow --coverage"
 	tests/coverage $(BUILD)/memory 93
@@ -393,7 +458,7 @@ check-memory: | $(BUILD)/setup/test
 # OpenMP's pragmas make the analyzer see values that nothing has set, so
 # it reads the programs as one thread would run them.
 analyzed := $(patsubst code/%.c,$(BUILD)/analyzed/%.o,\
-	$(modules) $(wildcard code/near/*.c))
+	$(modules) $(wildcard code/near/*.c code/range/*.c))
 
 #: gcc's static analyzer on every module
 analyze: $(analyzed)
@@ -436,5 +501,5 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 -include $(wildcard $(patsubst %,$(BUILD)/plain/%.d,$(basename $(compiled))) \
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
-.PHONY: all programs test test-all check-book figures drawings pictures slides slidesN readme chapterN measure measureN evidence
+.PHONY: all programs test test-all check-book figures drawings pictures web check-web slides slidesN readme chapterN measure measureN evidence
 .PHONY: $(exercises) exerciseN.K $(watches) watchN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help

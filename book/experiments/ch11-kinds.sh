@@ -1,4 +1,4 @@
 #!/bin/sh
 # Times of searches by pieces, on points of every kind
 # demo: table
-exec "$BUILD/ch11/kinds" ${FULL:+1000000 3}
+exec "$BUILD/ch11/kinds" ${FULL:+1000000 7}

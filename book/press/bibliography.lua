@@ -25,7 +25,9 @@ local function entry(div)
 end
 
 function Div(div)
-  if div.identifier == "refs" then
+  if div.identifier == "refs" and FORMAT == "html" then
+    return pandoc.walk_block(div, { Inlines = without_nodate })
+  elseif div.identifier == "refs" then
     return pandoc.List(div.content):map(entry)
   end
 end

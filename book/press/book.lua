@@ -6,13 +6,11 @@ package.path = job.press .. "/?.lua;" .. package.path
 
 local context = require "context"
 local declared = require "declared"
-local emblem = require "emblem"
 local exercises = require "exercises"
 local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
 local glossary = require "glossary"
-local latex = require "latex"
 local manual = require "manual"
 local numbering = require "numbering"
 local sheet = require "sheet"
@@ -21,10 +19,6 @@ local values = require "values"
 local weave = require "weave"
 
 local stringify = pandoc.utils.stringify
-
-local function raw_block(text, ...)
-  return pandoc.RawBlock("latex", text:format(...))
-end
 
 -- The keys of a BibTeX file.
 local function keys_of(path)
@@ -44,6 +38,7 @@ local book = {
 }
 values.load(job.data)
 context.book = book
+context.out = require(job.web and "webbook" or "printbook")
 
 -- ---- parts and chapters ---------------------------------------------
 -- The part a chapter belongs to: the last that begins at or before it.
@@ -57,31 +52,12 @@ local function part_of(parts, number)
   return found
 end
 
-local function exercises_of(chapter, list)
-  local result, listed = pandoc.List(), #list
-  for _, path in ipairs(job.exercises[chapter.id] or {}) do
-    local exercise = exercises.read(job, chapter, path)
-    if #result == 0 then
-      result:insert(raw_block("\\exercises{%s}", chapter.id))
-    end
-    if exercise then
-      result:extend(exercises.printed(exercise))
-      if #list == listed and listed > 0 then
-        table.insert(list, "\\nextchapterslines")
-      end
-      table.insert(list, exercises.line(exercise))
-    end
+local function exercises_of(chapter)
+  local list = pandoc.List()
+  for _, path in ipairs(chapter.number and job.exercises[chapter.id] or {}) do
+    list:insert(exercises.read(job, chapter, path))
   end
-  return result
-end
-
-local function answers_to(chapter)
-  local result = pandoc.List()
-  if #chapter.answers > 0 then
-    result:insert(raw_block("\\answers{%s}", chapter.id))
-  end
-  for _, answer in ipairs(chapter.answers) do result:extend(answer) end
-  return result
+  return list
 end
 
 -- A title of class "listings" opens pages that are made for programs.
@@ -96,7 +72,7 @@ end
 
 -- A chapter's blocks: its text, the answers, the exercises. The first
 -- line of its file is its title.
-local function read_chapter(path, chapter, exercise_list)
+local function read_chapter(path, chapter)
   local doc = pandoc.read(files.read(path), job.dialect)
   local text = source.open(path)
   local title = doc.blocks[1]
@@ -106,93 +82,42 @@ local function read_chapter(path, chapter, exercise_list)
   else
     doc.blocks:remove(1)
   end
-  chapter.source, chapter.answers = text, {}
+  chapter.path, chapter.source, chapter.answers = path, text, {}
   context.label("ch:" .. chapter.id, path, 1)
+  chapter.for_listings = made_for_listings(title, path)
   local blocks = weave.text(chapter, doc.blocks)
-  local opened = pandoc.Plain(title.content)
-  opened.content:insert(1, pandoc.RawInline("latex",
-    ("\\pressat{%s:1}\\openchapter{%s}{%s}{"):format(path, chapter.id,
-      chapter.number or "")))
-  opened.content:insert(pandoc.RawInline("latex", "}"))
-  blocks:insert(1, opened)
-  blocks:extend(answers_to(chapter))
-  if chapter.number then
-    blocks:extend(exercises_of(chapter, exercise_list))
-  end
-  blocks:insert(raw_block("\\closechapter{%s}", chapter.id))
-  if made_for_listings(title, path) then
-    blocks:insert(1, raw_block("\\openlistings"))
-    blocks:insert(raw_block("\\closelistings"))
-  end
-  return blocks
+  chapter.exercises = exercises_of(chapter)
+  return context.out.chapter(chapter, pandoc.List(title.content), blocks)
 end
 
--- ---- the lists at the end ---------------------------------------------
--- For every file the pages that print some of it, in its own order.
-local function index_of_files()
-  local labels, paths = {}, {}
-  for _, fragment in ipairs(book.fragments.list) do
-    local path = fragment.file
-    if fragment.shown and not labels[path] then
-      labels[path] = {}
-      table.insert(paths, path)
-    end
-    if fragment.shown then
-      table.insert(labels[path], ("frag:%d"):format(fragment.id))
-    end
-  end
-  table.sort(paths)
-  local lines, folder = { "\\fileindex" }, nil
-  for _, path in ipairs(paths) do
-    local this = path:match("^(.*)/")
-    if folder and this ~= folder then table.insert(lines, "\\indexspace") end
-    folder = this
-    table.insert(lines, ("\\fileindexline{%s}{%s}"):format(
-      latex.text(path:gsub("^code/", "")), table.concat(labels[path], ",")))
-  end
-  table.insert(lines, "\\closefileindex")
-  return raw_block("%s", table.concat(lines, "\n"))
-end
-
+-- ---- the whole book ---------------------------------------------------
 local function assemble(meta)
-  local blocks, exercise_list = pandoc.List(), {}
+  local blocks, chapters = pandoc.List(), {}
   local front = pandoc.read(files.read(job.front), job.dialect)
   for key, value in pairs(front.meta) do meta[key] = value end
-  blocks:insert(raw_block("\\frontmatter\\makebook"))
-  blocks:extend(weave.text({ source = source.open(job.front),
-    id = "front", front = true, answers = {} }, front.blocks))
-  blocks:insert(raw_block("\\mainmatter"))
+  blocks:extend(context.out.front(weave.text({
+    source = source.open(job.front), id = "front", front = true,
+    answers = {} }, front.blocks)))
   local part
   for _, path in ipairs(job.chapters) do
     local id = files.id(path)
-    local number = tonumber(id:sub(3))
-    local this = part_of(front.meta.parts, number)
+    local chapter = { id = id, number = tonumber(id:sub(3)) }
+    local this = part_of(front.meta.parts, chapter.number)
     if this and (not part or part.number ~= this.number) then
-      blocks:insert(raw_block("\\openpart{%d}{%s}", this.number,
-        latex.text(this.title)))
+      blocks:extend(context.out.part(this))
       part = this
     end
-    blocks:extend(read_chapter(path, { id = id, number = number },
-      exercise_list))
+    blocks:extend(read_chapter(path, chapter))
+    table.insert(chapters, chapter)
   end
   if #job.appendices > 0 then
-    blocks:insert(raw_block("\\openappendices"))
+    blocks:extend(context.out.appendices())
   end
   for _, path in ipairs(job.appendices) do
-    blocks:extend(read_chapter(path, { id = files.name(path) },
-      exercise_list))
+    blocks:extend(read_chapter(path, { id = files.name(path) }))
   end
   blocks:extend(glossary.read(job))
-  blocks:insert(raw_block("\\openbackmatter"))
-  if #exercise_list > 0 then
-    blocks:insert(raw_block(
-      "\\begin{listofexercises}\n%s\n\\end{listofexercises}",
-      table.concat(exercise_list, "\n")))
-  end
-  blocks:insert(index_of_files())
-  blocks:insert(raw_block("\\literature"))
-  blocks:insert(pandoc.Div({}, { id = "refs" }))
-  blocks:insert(raw_block("\\printindex"))
+  blocks:extend(context.out.closing(chapters))
   return blocks
 end
 
@@ -203,19 +128,17 @@ local function only(meta)
   for key, value in pairs(front.meta) do meta[key] = value end
   meta.elsewhere = true
   meta["suppress-bibliography"] = true
-  local blocks = pandoc.List()
+  local blocks, is_appendix = pandoc.List(), false
   for _, list in ipairs { job.chapters, job.appendices } do
     for _, path in ipairs(list) do
       if files.id(path) == job.only then
-        if list == job.appendices then
-          blocks:insert(raw_block("\\openappendices"))
-        end
+        is_appendix = list == job.appendices
         blocks:extend(read_chapter(path, { id = job.only,
-          number = tonumber(job.only:match("^ch(%d%d)$")) }, {}))
+          number = tonumber(job.only:match("^ch(%d%d)$")) }))
       end
     end
   end
-  blocks:insert(1, raw_block("\\mainmatter"))
+  blocks = context.out.only(blocks, is_appendix)
   blocks:insert(1, numbering.latex(numbering.of_book(job)))
   return blocks
 end
@@ -268,10 +191,7 @@ function Pandoc(doc)
   doc.meta.measured = measured and pandoc.MetaString(measured)
   doc.meta.nocite = also_cited()
   doc.meta.version = job.version and pandoc.MetaString(job.version)
-  doc.meta.emblem = pandoc.MetaInlines { pandoc.RawInline("latex", emblem) }
-  doc.meta.figures = pandoc.MetaInlines { pandoc.RawInline("latex",
-    ("{%s/figures/}{%s/drawings/}"):format(job.slides
-      and job.build .. "/slides" or job.build, job.build)) }
+  context.out.meta(doc.meta, job)
   context.check_references()
   check_declared(doc.meta)
   files.write(job.folder .. "/faults", faults.report())

@@ -4,6 +4,7 @@ local faults = require "faults"
 
 local context = {
   book = nil,       -- fragments, labels, references, citations, the job
+  out = nil,        -- the edition: what each thing is in LaTeX or HTML
   here = nil,       -- source, chapter's id, its answers; kind of text
   in_table = false,
   in_title = false, -- which has no links: it is a link in the contents
@@ -93,7 +94,7 @@ local kinds = {
 function context.crossref(label)
   local kind = kinds[label:match("^(%a+):")]
   if label:match("^ch:appendix") then kind = "Appendix" end
-  return kind and ("\\crossref{%s}{%s}"):format(kind, label)
+  return kind and context.out.crossref(kind, label)
 end
 
 function context.is_chapter(label)
@@ -112,19 +113,19 @@ function context.reference(label)
   local source = context.here.source
   table.insert(context.book.references, { label = label,
     path = source.path, line = source:find("@" .. label) })
-  return context.raw(text)
+  return text
 end
 
 -- The index has an entry of that name; another one sends there. The
 -- first place of an entry is where the glossary sends, unless it is in a
 -- title or a caption, which TeX sets more than once.
 function context.indexed(entry)
-  local indexed, place = context.book.indexed, ""
+  local indexed, place = context.book.indexed, nil
   if not indexed[entry] and not context.in_title
     and not context.caption then
     context.book.terms = context.book.terms + 1
     indexed[entry] = ("term:%d"):format(context.book.terms)
-    place = "\\termplace{" .. indexed[entry] .. "}"
+    place = indexed[entry]
   end
   indexed[entry] = indexed[entry] or false
   return place

@@ -5,7 +5,6 @@
 local context = require "context"
 local faults = require "faults"
 local files = require "files"
-local latex = require "latex"
 local source = require "source"
 local weave = require "weave"
 
@@ -37,10 +36,6 @@ function exercises.roughly(minutes)
   return minutes > 120 and (minutes + 30) // 60 * 60 or minutes
 end
 
-local function raw_block(text)
-  return pandoc.RawBlock("latex", text)
-end
-
 local function text_of(meta, key)
   return meta[key] and stringify(meta[key]) or ""
 end
@@ -50,7 +45,7 @@ local function words(meta, key, path)
   if text == "" then
     faults.add(path, 1, 'the exercise needs a line "%s: "', key)
   end
-  return latex.text(text)
+  return context.out.text(text)
 end
 
 local function number(meta, key, path, low, high)
@@ -85,10 +80,11 @@ function exercises.read(job, chapter, path)
     minutes = number(doc.meta, "minutes", path, 1, 10000),
     points = number(doc.meta, "points", path, 1, 1000),
     trains = words(doc.meta, "trains", path),
-    needs = latex.text(text_of(doc.meta, "needs")),
+    needs = context.out.text(text_of(doc.meta, "needs")),
     programmed =
       files.exists((path:gsub("exercise%.md$", "tests.c"))) or false,
   }
+  exercise.time = exercises.time(exercise.minutes)
   context.label(exercise.label, path, 1)
   local text = { source = source.open(path), id = chapter.id,
     exercise = true, answers = {},
@@ -96,25 +92,6 @@ function exercises.read(job, chapter, path)
   exercise.blocks = weave.text(text, doc.blocks)
   exercise.kept = text.kept
   return exercise
-end
-
--- The exercise as it stands in the book.
-function exercises.printed(exercise)
-  local e, blocks = exercise, pandoc.List(exercise.blocks)
-  blocks:insert(1, raw_block(
-    ("\\pressat{%s:1}\\exercise{%s}{%s}{%s}{%d}{%s}{%d}{%s}"):format(e.path,
-      e.number, e.label, e.title, e.stars, exercises.time(e.minutes),
-      e.points, e.programmed and "programmed" or "on paper")))
-  blocks:insert(raw_block(("\\tryexercise{%s}{%s}"):format(e.needs,
-    e.programmed and e.number or "")))
-  return blocks
-end
-
--- Its line in the list of exercises.
-function exercises.line(e)
-  return ("\\exerciseline{%s}{%s}{%s}{%d}{%s}{%d}{%s}{%s}"):format(e.number,
-    e.label, e.title, e.stars, exercises.time(e.minutes), e.points,
-    e.programmed and "program" or "paper", e.trains)
 end
 
 return exercises

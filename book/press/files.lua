@@ -16,6 +16,22 @@ function files.write(path, text)
   assert(file:close())
 end
 
+-- Makes a folder, and those above it that are missing.
+function files.make_folder(path)
+  files.succeeds(("mkdir -p '%s'"):format(path))
+end
+
+-- A table as Lua source.
+function files.source_of(value)
+  if type(value) ~= "table" then return ("%q"):format(value) end
+  local parts = {}
+  for key, item in pairs(value) do
+    table.insert(parts, ("[%s]=%s"):format(files.source_of(key),
+      files.source_of(item)))
+  end
+  return "{" .. table.concat(parts, ",") .. "}"
+end
+
 function files.exists(path)
   local file = io.open(path, "rb")
   return file ~= nil and file:close()

@@ -84,6 +84,7 @@ local function read_file(path, found)
       if not current then
         faults.add(path, number, "this //< closes no fragment")
       end
+      if current then current.last = number end
       table.remove(open)
     elseif current then
       local cut = math.min(current.indent, #line:match("^ *"))

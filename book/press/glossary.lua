@@ -58,16 +58,9 @@ local function printed(path, entry)
   definition = sentence(definition)
   context.here.source.cursor = entry.line
   local label = place_of(term, synonyms)
-  local result = pandoc.List { context.raw("\\glossaryline{") }
-  result:extend(words(path, term))
-  result:insert(context.raw("}{"))
-  result:extend(words(path, definition))
-  result:insert(context.raw("}{"))
-  result:extend(words(path, synonyms))
-  result:insert(context.raw(label
-    and ("}{\\hyperref[%s]{Page~\\pageref*{%s}}.}"):format(label, label)
-    or ("}{\\crossref{Chapter}{ch:%s}.}"):format(chapter)))
-  return pandoc.Plain(result)
+  return context.out.glossary_line { term = words(path, term),
+    definition = words(path, definition), synonyms = words(path, synonyms),
+    place = label, chapter = chapter }
 end
 
 -- The entries of the file, checked.
@@ -106,12 +99,10 @@ function glossary.read(job)
   if #entries == 0 then return blocks end
   context.here = { source = source.open(job.glossary), id = "glossary",
     answers = {} }
-  blocks:insert(context.raw_block(context.mark(1) .. "\\openglossary"))
   for _, entry in ipairs(entries) do
     blocks:insert(printed(job.glossary, entry))
   end
-  blocks:insert(context.raw_block("\\closeglossary"))
-  return blocks
+  return context.out.glossary(blocks)
 end
 
 return glossary

@@ -2,13 +2,11 @@
 -- CONTRIBUTING.md, "The prose".
 local context = require "context"
 local faults = require "faults"
-local latex = require "latex"
-local listing = require "listing"
 local numbers = require "numbers"
 local values = require "values"
 local words_of = require "words"
 
-local fault, raw = context.fault, context.raw
+local fault = context.fault
 
 local inlines = {}
 local inline, span = {}, {}
@@ -56,7 +54,7 @@ local function with_chapters_linked(list)
       result:remove()
       result:remove()
       if bracket ~= "" then result:insert(pandoc.Str(bracket)) end
-      result:insert(raw(("\\crossref{%s}{%s}"):format(chapter, label)))
+      result:insert(context.out.crossref(chapter, label))
       if rest ~= "" then result:insert(pandoc.Str(rest)) end
     else
       result:insert(x)
@@ -86,7 +84,7 @@ local function woven(list)
   for i, x in ipairs(list) do
     local handler = inline[x.t]
     if is_tie(list, i) then
-      result:insert(raw("~"))
+      result:insert(context.out.tie())
     elseif handler then
       local new = handler(x, begins(list, i))
       if new.t == "Str" and x.t == "Span" and x.classes[1] == "machine"
@@ -116,7 +114,7 @@ function inline.Code(x)
     fault(x.text, 'the class "%s" is unknown for code in a sentence',
       x.classes[1])
   end
-  return raw(latex.inline_code(x.text))
+  return context.out.code(x.text)
 end
 
 function inline.Cite(x)
@@ -159,7 +157,7 @@ function inline.RawInline(x)
   if x.format == "html" and x.text:match("^<!%-%-") then
     return pandoc.List()
   end
-  if x.format ~= "tex" and x.format ~= "latex" then
+  if x.format ~= "tex" and x.format ~= context.out.format then
     fault(x.text, "raw %s cannot be printed", x.format)
   end
   return x
@@ -181,24 +179,9 @@ function inline.Span(x, begins_sentence)
   return woven(x.content)
 end
 
--- The text of a value: plain, but for the space before its unit and an
--- exponent.
-local function printed(text)
-  local result = pandoc.List()
-  local number, unit = text:match("^(.-)\u{2009}(%D*)$")
-  if number then
-    result:extend { pandoc.Str(number), raw("\\,"), pandoc.Str(unit) }
-  elseif text:find("\u{2009}") then
-    result:insert(raw(latex.text(text)))
-  else
-    result:insert(pandoc.Str(text))
-  end
-  return result
-end
-
 function span.value(x, expression)
   local words = "[" .. expression .. "]"
-  local value, why = values.evaluate(expression)
+  local value, why, cells = values.evaluate(expression)
   local text
   if value ~= nil then
     text, why = values.format(value, x.attributes.as,
@@ -208,7 +191,7 @@ function span.value(x, expression)
     fault(words, "%s", why)
     text = "?"
   end
-  return printed(text)
+  return context.out.value(text, expression, cells)
 end
 
 function span.given(x)
@@ -225,20 +208,17 @@ function span.reported(x, words)
     context.book.cited[by] = true
   end
   by = by or "?"
-  local result = woven(x.content)
-  result:insert(raw(("\\%s{%s}{%s}"):format(context.in_table
-    and "reportedintable" or "reported", by, by:sub(1, 1))))
-  return result
+  return context.out.reported(woven(x.content), by)
 end
 
 function span.claim(x, sentence)
   local condition = x.attributes["if"]
   local words = sentence:sub(1, 40)
   local result = woven(x.content)
-  local holds, why = nil, "a claim needs its condition: if=\"...\""
+  local holds, why, cells = nil, "a claim needs its condition: if=\"...\""
   if condition then
     words = condition
-    holds, why = values.evaluate(condition)
+    holds, why, cells = values.evaluate(condition)
     if holds ~= nil and type(holds) ~= "boolean" then
       why = ('"%s" is neither true nor false'):format(condition)
       holds = nil
@@ -251,9 +231,8 @@ function span.claim(x, sentence)
     faults.note(source.path, source:find(words),
       'on this machine it does not hold: "%s" (%s)',
       pandoc.utils.stringify(result), condition)
-    result:insert(raw("\\doesnothold{}"))
   end
-  return result
+  return context.out.claim(result, condition, holds, cells)
 end
 
 function span.fragment(_, title)
@@ -265,21 +244,7 @@ function span.fragment(_, title)
   local source = context.here.source
   table.insert(context.book.mentions, { fragment = fragment,
     path = source.path, line = source:find("[" .. title .. "]") })
-  return raw(listing.mention(fragment))
-end
-
--- What makeindex would take for its own.
-local function index_safe(text)
-  return (text:gsub('[!@|"]', '"%0'))
-end
-
--- makeindex knows nothing of accents.
-local plain = { ["á"] = "a", ["ä"] = "a", ["é"] = "e", ["è"] = "e",
-  ["ï"] = "i", ["ö"] = "o", ["ü"] = "u" }
-
-local function in_its_place(entry)
-  local sorted = entry:gsub("[\xc2-\xdf][\x80-\xbf]", plain)
-  return sorted == entry and entry or sorted .. "@" .. entry
+  return context.out.mention(fragment)
 end
 
 -- A capital that only begins the sentence is not the index's.
@@ -291,32 +256,23 @@ end
 
 function span.index(x, words, begins_sentence)
   local key, see = x.attributes.key, x.attributes.see
-  local entry, place = nil, ""
-  if see then
-    -- sends elsewhere, and is no place itself
-  elseif key then
-    place = context.indexed(key:match("^[^!]*"))
-  elseif words ~= "" then
-    place = context.indexed(begins_sentence and uncapitalized(words) or words)
-  end
-  if key then
-    entry = in_its_place(latex.text(key:gsub('[@|"]', '"%0')))
-  elseif words == "" then
+  if not key and words == "" then
     fault("{.index", "an index entry needs words or a key")
     return pandoc.List()
-  elseif #x.content == 1 and x.content[1].t == "Code" then
-    entry = words:gsub("[^%w ]", "") .. "@" ..
-      index_safe(latex.inline_code(words))
-  else
-    if begins_sentence then words = uncapitalized(words) end
-    entry = latex.text(index_safe(words))
   end
+  local is_code = #x.content == 1 and x.content[1].t == "Code"
+  local entry = words
+  if begins_sentence and not is_code then entry = uncapitalized(words) end
+  local place
   if see then
     context.see(see, words == "" and key or words)
-    entry = ("%s|see{%s}"):format(entry, latex.text(index_safe(see)))
+  else
+    place = context.indexed(key and key:match("^[^!]*")
+      or begins_sentence and uncapitalized(words) or words)
   end
   local result = woven(x.content)
-  result:insert(raw(place .. "\\index{" .. entry .. "}"))
+  result:insert(context.out.index { key = key, words = entry,
+    is_code = is_code, see = see, place = place })
   return result
 end
 
@@ -334,17 +290,7 @@ function span.machine(_, name)
     return pandoc.Str("the same machine")
   end
   if context.caption then here.measured = here.measured or where.setup end
-  local parts = { latex.text(where.machine) }
-  for _, part in ipairs { "caches", "memory", "compiler" } do
-    if where[part] then
-      table.insert(parts, (latex.text(where[part]):gsub("[^,]+",
-        function(words) return "\\mbox{" .. words:gsub("^ ", "") .. "}" end)
-        :gsub(",", ", ")))
-    end
-  end
-  table.insert(parts, latex.inline_code(where.flags))
-  table.insert(parts, "\\mbox{" .. latex.text(where.date) .. "}")
-  return raw(table.concat(parts, ", "))
+  return context.out.machine(where)
 end
 
 -- A paragraph's worth of inlines: its place in the file is found by its

@@ -5,6 +5,7 @@
 --   texlua book/press/press.lua --sheet PDF TITLE DUE HOW EXERCISE.MD...
 --   texlua book/press/press.lua --slides SLIDES.MD [--check | --draft]
 --   texlua book/press/press.lua --export DIR
+--   texlua book/press/press.lua --web DIR
 --
 -- Writes BUILD/near-and-far.pdf, and BUILD/book/pages.tsv with the pages
 -- of every chapter. Programs must have been built and figures drawn
@@ -18,6 +19,7 @@
 -- Markdown file HOW. --slides makes BUILD/slides/ch04.pdf of a chapter's
 -- slides; of a folder, --check looks at all. --export writes exam questions
 -- and exercises for courses' systems to DIR, in which is a folder canvas.
+-- --web writes the web edition's pages to DIR.
 local lfs = require "lfs"
 
 local here = arg[0]:match("^(.*)/[^/]*$") or "."
@@ -40,7 +42,7 @@ end
 
 -- ---- the command line -------------------------------------------------
 local root, build, mode, sheet = lfs.currentdir(), nil, nil, nil
-local manual, only, slides, export = false, nil, nil, nil
+local manual, only, slides, export, web = false, nil, nil, nil, nil
 local i = 1
 while arg[i] do
   if arg[i] == "--check" or arg[i] == "--draft" then
@@ -56,6 +58,9 @@ while arg[i] do
   elseif arg[i] == "--export" and arg[i + 1] then
     i = i + 1
     export, mode = absolute(arg[i]), "--check"
+  elseif arg[i] == "--web" and arg[i + 1] then
+    i = i + 1
+    web, mode = absolute(arg[i]), "--check"
   elseif arg[i] == "--root" and arg[i + 1] then
     i = i + 1
     root = absolute(arg[i])
@@ -103,16 +108,10 @@ local function below(folder, pattern, found)
   return found
 end
 
-local function make_folder(path)
-  local parent = path:match("^(.+)/[^/]+$")
-  if parent and not lfs.attributes(parent) then make_folder(parent) end
-  lfs.mkdir(path)
-end
-
 local folder = build .. (sheet and "/sheet" or manual and "/solutions"
   or slides and "/slides/" .. files.id(slides) or export and "/exported"
-  or only and "/draft-" .. only or "/book")
-make_folder(folder)
+  or web and "/woven" or only and "/draft-" .. only or "/book")
+files.make_folder(folder)
 
 local job = {
   press = here, folder = folder, build = build,
@@ -127,7 +126,7 @@ local job = {
   -- The newest in the list of changes.
   version = (files.read("CHANGES.md") or ""):match("\n## *([^%s,]+)"),
   exercises = {}, headers = {}, sheet = sheet, only = only,
-  export = export, exams = below("book/manual/exam", "/ch%d%d[^/]*%.md$"),
+  export = export, web = web, exams = below("book/manual/exam", "/ch%d%d[^/]*%.md$"),
   slides = slides and (lfs.attributes(slides, "mode") == "directory"
     and below(slides, "/ch%d%d[^/]*%.md$") or { slides }),
 }
@@ -139,6 +138,18 @@ for _, path in ipairs(below("exercises", "/exercise%.md$")) do
   local chapter = path:match("^exercises/([^/]*)/")
   job.exercises[chapter] = job.exercises[chapter] or {}
   table.insert(job.exercises[chapter], path)
+end
+-- What has a page of its own in the web edition.
+if web then
+  job.files = { "Makefile", "setup" }
+  for _, part in ipairs { { "code", "[^~]$" }, { "book/data", "%.tsv$" },
+    { "book/drawings", "[^~]$" }, { "book/experiments", "[^~]$" },
+    { "book/figures", "%.gp$" }, { "book/press", "[^~]$" },
+    { "tests", "^tests/ch%d%d.*%.[ch]$" }, { "tests/corpus", "%.[ch]$" },
+    { "tests/near", "%.[ch]$" }, { "tests/instructions", "%.[ch]$" },
+    { "tests", "^tests/harness%.[ch]$" } } do
+    below(part[1], part[2], job.files)
+  end
 end
 for header in ("inttypes math stdbool stdint stdio stdlib string omp")
   :gmatch("%a+") do
@@ -164,16 +175,6 @@ end
 if #job.chapters == 0 then faults.add("chapters", 1, "there is no chapter") end
 
 -- ---- the stages ---------------------------------------------------------
--- A table as Lua source.
-local function source_of(value)
-  if type(value) ~= "table" then return ("%q"):format(value) end
-  local parts = {}
-  for key, item in pairs(value) do
-    table.insert(parts, ("[%s]=%s"):format(source_of(key), source_of(item)))
-  end
-  return "{" .. table.concat(parts, ",") .. "}"
-end
-
 -- Prints the faults, one a line, and ends the press if there are any.
 -- A draft goes on.
 local function stop_at(text)
@@ -184,19 +185,22 @@ local function stop_at(text)
   if mode ~= "--draft" then os.exit(1) end
 end
 
--- From Markdown to LaTeX.
+-- From Markdown to LaTeX, or to the pages of the web edition.
 local function weave()
   os.remove(folder .. "/faults")
-  files.write(folder .. "/job.lua", "return " .. source_of(job) .. "\n")
+  files.write(folder .. "/job.lua", "return " .. files.source_of(job) .. "\n")
   files.write(folder .. "/driver.md", "")
   local good = files.succeeds(([[
-    PRESS_JOB='%s/job.lua' pandoc --quiet -f markdown '%s/driver.md' \
+    export PRESS_JOB='%s/job.lua'
+    pandoc --quiet -f markdown '%s/driver.md' \
       --lua-filter='%s/book.lua' --citeproc --bibliography='%s' \
       --lua-filter='%s/bibliography.lua' -M link-citations=true \
-      --top-level-division=chapter --wrap=preserve -t latex \
-      --template='%s/%s.tex' -o '%s/book.tex'
-  ]]):format(folder, folder, here, job.bibliography, here, here,
-    slides and "slides" or "template", folder))
+      --top-level-division=chapter --wrap=preserve ]]):format(folder, folder,
+      here, job.bibliography, here) .. (web
+    and ("--lua-filter='%s/webpages.lua' -t html -o '%s/book.html'"):format(
+      here, folder)
+    or ("-t latex --template='%s/%s.tex' -o '%s/book.tex'"):format(here,
+      slides and "slides" or "template", folder)))
   local found = files.read(folder .. "/faults")
   if not good or not found then
     io.stderr:write(found or "", "press: pandoc failed\n")
@@ -216,6 +220,7 @@ end
 
 stop_at(faults.report())
 weave()
+if web then stop_at(files.read(folder .. "/lost")) end
 if mode == "--check" then os.exit(0) end
 files.write(folder .. "/index.ist", files.read(here .. "/index.ist"))
 local chapters = {}

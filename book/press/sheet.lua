@@ -47,7 +47,7 @@ function sheet.assemble(job, meta)
     table.insert(list, read(job, path))
   end
   for _, exercise in ipairs(list) do
-    blocks:extend(exercises.printed(exercise))
+    blocks:extend(context.out.exercise(exercise))
     if not exercise.programmed then
       blocks:insert(raw_block("\\markedbyhand"))
     end

@@ -11,6 +11,7 @@ local inlines = require "inlines"
 local latex = require "latex"
 local listing = require "listing"
 local numbering = require "numbering"
+local find_picture = require "picture".find
 local parts = require "parts"
 local source = require "source"
 local values = require "values"
@@ -125,12 +126,12 @@ end
 -- The command that sets a drawing or a plot.
 local function picture(image)
   local name, build = image.src, context.book.job.build
-  if not files.exists(("%s/slides/figures/%s.pdf"):format(build, name))
-    and not files.exists(("%s/drawings/%s.pdf"):format(build, name)) then
+  local pdf, page = find_picture(build, "slides/figures", name)
+  if not pdf then
     fault("(" .. name .. ")", "there is no figure %s", name)
     return ""
   end
-  return ("{%s}{%s}"):format(name, latex.text(alternative.of(name)))
+  return ("{%s}{%s}{%s}"):format(pdf, page, latex.text(alternative.of(name)))
 end
 
 local div = weave.block.Div

@@ -14,7 +14,12 @@ local LEFT = 24    -- and needs so many characters on a line
 local raw = context.raw
 
 -- What LaTeX makes of its own: code, a reference, a unit. Code is wider.
-local function visible(raw_text)
+-- Of what is already HTML, the words between the tags.
+local function visible(raw_text, format)
+  if format == "html" then
+    return (raw_text:gsub("<sup>.*", ""):gsub("<[^>]*>", "")
+      :gsub("@@.-@@", "1.1"):gsub("\u{2009}", " "))
+  end
   local label = raw_text:match("^\\crossref{(%a+)}")
   if label then return label .. " 1.1" end
   local text = raw_text:gsub("\\index%b{}", ""):gsub("\\termplace%b{}", "")
@@ -26,7 +31,8 @@ end
 local function flatten(cell)
   local inlines = pandoc.utils.blocks_to_inlines(cell.contents)
   local shown = pandoc.walk_block(pandoc.Plain(inlines), {
-    RawInline = function(x) return pandoc.Str(visible(x.text)) end })
+    RawInline = function(x)
+      return pandoc.Str(visible(x.text, x.format)) end })
   return { inlines = inlines,
     text = pandoc.utils.stringify(shown.content) }
 end
@@ -86,6 +92,18 @@ local function total(columns)
     sum = sum + math.max(column.width, column.head_width) + GAP
   end
   return sum
+end
+
+-- Where the columns of a table that is written otherwise stand: of
+-- numbers, at the right.
+function tables.aligned(tbl)
+  local specs = {}
+  for i, column in ipairs(columns_of(tbl)) do
+    specs[i] = { column.letter == "r" and "AlignRight"
+      or column.letter == "c" and "AlignCenter" or "AlignLeft", nil }
+  end
+  tbl.colspecs = specs
+  return tbl
 end
 
 -- Puts a head into two lines of about the same length.

@@ -9,6 +9,7 @@ local files = require "files"
 
 local values = {}
 local tables = {} -- by name: { chapter, path, head, columns, rows }
+local used        -- the cells that an expression has named so far
 
 local function cells(line)
   local result = {}
@@ -46,7 +47,7 @@ local function read(path)
 end
 
 function values.load(paths)
-  tables = {}
+  tables, used = {}, {}
   for _, path in ipairs(paths) do
     local this = read(path)
     tables[this.name] = this
@@ -97,6 +98,7 @@ local function cell(chapter, row, column)
     complain("%s has no table whose rows have names", chapter)
   end
   if #found == 1 then
+    table.insert(used, { path = found[1][2], row = row, column = column })
     return tonumber(found[1][1]) or found[1][1]
   elseif #found > 1 then
     complain("%s.%s.%s could be a cell of %s or of %s",
@@ -130,8 +132,10 @@ local scope = setmetatable({
   complain('"%s" is not known here', name)
 end })
 
--- The expression's value, or nil and what is wrong with it.
+-- The expression's value, or nil and what is wrong with it; and the
+-- cells that it rests on.
 function values.evaluate(expression)
+  used = {}
   local chunk = load("return " .. expression, "=", "t", scope)
   if not chunk then
     return nil, ('"%s" is not an expression'):format(expression)
@@ -150,7 +154,7 @@ function values.evaluate(expression)
       (result ~= result or result == math.huge or result == -math.huge) then
     return nil, ('"%s" is not a finite number'):format(expression)
   end
-  return result
+  return result, nil, used
 end
 
 -- ---- printing ------------------------------------------------------

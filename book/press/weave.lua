@@ -1,6 +1,7 @@
--- Turns what pandoc has read of one file into what LaTeX will set:
--- follows the blocks in their order through the text, replaces what is
--- ours (CONTRIBUTING.md, "The prose"), and finds the faults.
+-- Turns what pandoc has read of one file into what will be set: follows
+-- the blocks in their order through the text, replaces what is ours
+-- (CONTRIBUTING.md, "The prose"), and finds the faults. What the things
+-- are in LaTeX or in HTML, the edition knows (context.out).
 local alternative = require "alternative"
 local capture = require "capture"
 local context = require "context"
@@ -8,13 +9,10 @@ local faults = require "faults"
 local files = require "files"
 local fragments = require "fragments"
 local inlines = require "inlines"
-local latex = require "latex"
-local listing = require "listing"
-local tables = require "tables"
+local picture = require "picture"
 local words_of = require "words"
 
-local fault, raw, raw_block = context.fault, context.raw, context.raw_block
-local mark, class_of = context.mark, context.class_of
+local fault, class_of = context.fault, context.class_of
 local opening = words_of.opening
 
 local block, code = {}, {}
@@ -61,12 +59,12 @@ function weave.blocks(list)
   for i, x in ipairs(list) do
     local handler = block[x.t]
     if goes_on(x, list[i - 1]) then
-      result:insert(raw_block("\\continued"))
+      result:extend(context.out.continued())
     end
     local new = handler and handler(x) or x
     if new.t then result:insert(new) else result:extend(new) end
     if introduces(x, list[i + 1]) then
-      result:insert(raw_block("\\introduces"))
+      result:extend(context.out.introduces())
     end
   end
   return result
@@ -84,35 +82,31 @@ local function figure(image, caption, identifier)
   for attribute in pairs(image.attributes) do
     fault(words, 'the attribute "%s" is unknown for a figure', attribute)
   end
-  local plot = ""
+  local pdf, page
   if not name:match("^[%w-]+$") then
     fault(words, 'a figure is named like its script, without folder and '
       .. 'ending, not "%s"', name)
-  elseif not files.exists(("%s/figures/%s.pdf"):format(build, name))
-    and not files.exists(("%s/drawings/%s.pdf"):format(build, name)) then
-    fault(words, "there is no figure %s.pdf in %s/figures or %s/drawings", name,
-      build, build)
   else
-    plot = ("\\plot{%s}{%s}"):format(name,
-      latex.pdf_text(alternative.of(name)))
+    pdf, page = picture.find(build, "figures", name)
+    if not pdf then
+      fault(words, "there is no figure %s in %s/figures or %s/drawings",
+        name, build, build)
+    end
   end
   if #caption == 0 then fault(words, "this figure needs a caption") end
   context.caption = identifier ~= "" and identifier or nil
+  local alternative_text = pdf and alternative.of(name) or ""
   local text = inlines.checked(caption)
   context.caption = nil
-  text:insert(1, raw(("\\caption{\\label{%s}"):format(identifier)))
-  text:insert(raw("}"))
-  return pandoc.List {
-    raw_block(("%s\\begin{figure}\\centering\n%s")
-      :format(mark(here.source.cursor), plot)),
-    pandoc.Plain(text), raw_block("\\end{figure}"),
-  }
+  return context.out.figure { name = name, pdf = pdf, page = page,
+    label = identifier,
+    alternative = alternative_text, caption = text,
+    line = here.source.cursor }
 end
 
 local function paragraph(x)
   local text = inlines.paragraph(x.content)
-  text:insert(1, raw(mark(here.source.cursor)))
-  x.content = text
+  x.content = context.out.paragraph(text, here.source.cursor)
   return x
 end
 
@@ -135,13 +129,6 @@ function block.Figure(x)
     identifier)
 end
 
--- Titles: of the front matter, of chapters, without a number.
-local titles = {
-  front = { "addchap", "section*", "subsection*" },
-  numbered = { false, "section", "subsection", "subsubsection" },
-  unnumbered = { false, "section*", "subsection*", "subsubsection*" },
-}
-
 function block.Header(x)
   local kind = "numbered"
   for _, class in ipairs(x.classes) do
@@ -154,22 +141,19 @@ function block.Header(x)
   context.in_title = true
   local text = inlines.paragraph(x.content)
   context.in_title = false
-  local place = mark(here.source.cursor)
-  local command = here.exercise and "exercisehead"
-    or titles[here.front and "front" or kind][x.level]
-  if not command then
+  local title = context.out.header { level = x.level, content = text,
+    line = here.source.cursor, label = x.identifier ~= "" and x.identifier,
+    kind = here.exercise and "exercise" or here.front and "front" or kind }
+  if not title then
     fault(opening(x.content), x.level == 1
       and "a chapter has one title, its first line"
       or "titles are not nested so deeply")
     return pandoc.List()
   end
-  text:insert(1, raw(place .. "\\" .. command .. "{"))
-  text:insert(raw("}"))
   if x.identifier ~= "" then
     context.own_label(x.identifier, "sec", "#" .. x.identifier)
-    text:insert(raw("\\label{" .. x.identifier .. "}"))
   end
-  return pandoc.Plain(text)
+  return title
 end
 
 local function lists(x)
@@ -198,7 +182,7 @@ function block.LineBlock(x)
 end
 
 function block.HorizontalRule()
-  return raw_block("\\asterism")
+  return context.out.asterism()
 end
 
 function block.RawBlock(x)
@@ -235,28 +219,21 @@ local function cells_woven(x)
     for _, r in ipairs(part.body) do row(r) end
   end
   context.in_table = false
-  return tables.latex(x)
 end
 
 local function set_table(x, label)
   local caption = caption_of(x)
-  local place = mark(here.source.cursor)
-  local woven = cells_woven(x)
+  local line = here.source.cursor
+  cells_woven(x)
   if #caption == 0 and not label then
-    return pandoc.List { raw_block(place .. "\\begin{smalltable}"), woven,
-      raw_block("\\end{smalltable}") }
+    return context.out.table { table = x, line = line }
   end
   if #caption == 0 then fault("#" .. label, "this table needs a caption") end
   context.caption = label
   caption = inlines.paragraph(caption)
   context.caption = nil
-  local name = label and "\\label{" .. label .. "}" or ""
-  caption:insert(1, raw("\\caption{" .. name))
-  caption:insert(raw("}"))
-  return pandoc.List {
-    raw_block(place .. "\\begin{table}"), pandoc.Plain(caption),
-    raw_block("\\centering\\tablefont"), woven, raw_block("\\end{table}"),
-  }
+  return context.out.table { table = x, line = line, label = label,
+    caption = caption }
 end
 
 function block.Table(x)
@@ -301,13 +278,11 @@ local function quick(x)
   end
   local name = ("%s-%d"):format(here.id, #here.answers + 1)
   question = weave.blocks(question)
-  question:insert(1, raw_block(
-    ("%s\\begin{quick}{%s}"):format(mark(line), name)))
-  question:insert(raw_block("\\end{quick}"))
-  local woven = answer and weave.blocks(answer.content) or pandoc.List()
-  woven:insert(1, raw_block(("\\begin{quickanswer}{%s}"):format(name)))
-  woven:insert(raw_block("\\end{quickanswer}"))
-  table.insert(here.answers, woven)
+  local kept
+  question, kept = context.out.quick { name = name, line = line,
+    question = question, number = #here.answers + 1,
+    answer = answer and weave.blocks(answer.content) or pandoc.List() }
+  table.insert(here.answers, kept)
   return question
 end
 
@@ -367,7 +342,7 @@ function code.fragment(x, lines)
         fragment.shown)
     else
       fragment.shown = ("%s:%d"):format(here.source.path, line)
-      result:insert(raw_block(mark(line) .. listing.fragment(fragment)))
+      result:insert(context.out.fragment(fragment, line))
     end
   end
   return result
@@ -392,7 +367,7 @@ function code.c(x, lines)
     faults.add(here.source.path, first,
       "this is said to fail, but it compiles")
   end
-  return raw_block(mark(first) .. listing.illustration(lines))
+  return context.out.illustration(lines, first, true)
 end
 
 function code.output(x)
@@ -419,7 +394,7 @@ function code.output(x)
   end
   check_width(lines)
   check_width({ "$ " .. command }, line)
-  return raw_block(mark(line) .. listing.output(command, lines))
+  return context.out.output(command, lines, line)
 end
 
 function block.CodeBlock(x)
@@ -432,7 +407,7 @@ function block.CodeBlock(x)
   if code[class] then return code[class](x, lines) end
   local first = here.source:seek_line(lines[1])
   check_width(lines, first)
-  return raw_block(mark(first) .. listing.plain(lines))
+  return context.out.illustration(lines, first, false)
 end
 
 -- ---- a whole text -----------------------------------------------------

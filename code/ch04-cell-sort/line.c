@@ -31,7 +31,7 @@ void sort_numbers(double *x, uint32_t n)
     qsort(x, n, sizeof *x, compare_numbers);
 }
 
-//> Halve until one place is left
+//> Halve until nothing is open
 // The first place whose number is not below a; n if there is none.
 static uint32_t place_of(const double *x, uint32_t n, double a)
 {

@@ -39,14 +39,14 @@ INLINED void enter_in(const enum geometry geometry,
 //<
 
 //> Choose between two by their bits
-// a if `first`, else b. With ?: the compiler decides between a branch
+// a if `better`, else b. With ?: the compiler decides between a branch
 // and a blend, and it decides for a branch.
-static inline double either(bool first, double a, double b)
+static inline double either(bool better, double a, double b)
 {
     uint64_t x, y;
     memcpy(&x, &a, sizeof x);
     memcpy(&y, &b, sizeof y);
-    y ^= (x ^ y) & -(uint64_t)first;
+    y ^= (x ^ y) & -(uint64_t)better;
     memcpy(&b, &y, sizeof b);
     return b;
 }

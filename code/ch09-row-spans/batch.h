@@ -19,12 +19,13 @@ enum {
     PLACES = ROWS * STAGED + PAD,
     PLACE_MASK = 0xFF // the bits of a float that hold a place
 };
-_Static_assert(ROWS *STAGED <= PLACE_MASK,
+_Static_assert(PLACES <= PLACE_MASK + 1,
                "eight bits number all places");
 _Static_assert(STEP <= PAD, "a sweep's last step ends in the pad");
 
 // A squared distance beyond any that are compared, whose low bits are
-// 0, and a coordinate beyond that. What is at FAR is never a candidate.
+// 0, and a coordinate beyond that. What is at FAR is no query's
+// neighbor; only a lane without a query may name it.
 static const float FAR2 = 0x1p100f, FAR = 0x1p60f;
 //<
 
@@ -42,10 +43,11 @@ struct scene {
 //> Hold the staging buffer
 // Coordinates are measured from an origin near the queries, so that
 // single precision is enough for them. Row r has the places from
-// r * STAGED on: a pad, the candidates, and FAR up to the next row. The
-// columns first .. last are staged, counted on beyond the grid where it
-// wraps around: -1 is the last one, seen one period back. There a row
-// has two parts, and the second begins with the column seam.
+// r * STAGED on: a pad of FAR, the candidates, two pads of FAR; what is
+// left before the next row is not read. The columns first .. last are
+// staged, counted on beyond the grid where it wraps around: -1 is the
+// last one, seen one period back. There a row has two parts, and the
+// second begins with the column seam.
 struct staging {
     double x, y;      // the origin
     double reach;     // no candidate is further from it, on either axis

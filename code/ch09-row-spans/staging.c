@@ -137,7 +137,7 @@ static struct parts find_parts(const struct scene *scene, uint32_t row,
 //<
 
 //> Fill places with far points
-// A lane that is no query may name what is at FAR: that has an index,
+// A lane without a query may name what is at FAR: that has an index,
 // too, if not its own.
 static void fill_far(struct staging *staging, uint32_t place,
                      uint32_t count)
@@ -151,7 +151,7 @@ static void fill_far(struct staging *staging, uint32_t place,
 
 //> Stage a row
 // Says whether the row has room for them. Kernels write up to PAD
-// places too many, and FAR comes after them.
+// places too many, over which two pads of FAR are written.
 static bool stage_row(const struct scene *scene,
                       const struct parts *parts, uint32_t k,
                       struct staging *staging)

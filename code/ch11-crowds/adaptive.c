@@ -3,19 +3,19 @@
 // all queries together were allowed; if some give up again, they are
 // left to the search by halves. So the steps are n log n at worst.
 #include "ch11-crowds/adaptive.h"
-#include "ch11-crowds/ask_pieces.h"
 #include "ch11-crowds/divide.h"
 #include "ch11-crowds/far_search.h"
 #include "ch11-crowds/piece_search.h"
+#include "ch11-crowds/point_search.h"
 
-//> Ask once more
+//> Search once more
 // The steps that n queries were allowed are now for count of them: if
 // there are as few as steps, each may look at all points. Those that
 // still give up move to the front of the list.
-static uint32_t ask_again(const struct question *question,
-                          const struct pieces *pieces, uint64_t most,
-                          uint32_t *asking, uint32_t count,
-                          struct answers *answers)
+static uint32_t search_again(const struct question *question,
+                             const struct pieces *pieces, uint64_t most,
+                             uint32_t *query, uint32_t count,
+                             struct answers *answers)
 {
     const uint64_t each = most * question->points.n / count;
     const struct scene all = scene_of(question, pieces);
@@ -24,7 +24,7 @@ static uint32_t ask_again(const struct question *question,
     schedule(dynamic)
     for (uint32_t k = 0; k < count; k++) {
         struct counts counts = {0};
-        const uint32_t s = asking[k], i = pieces->sorted.cells.point[s];
+        const uint32_t s = query[k], i = pieces->sorted.cells.point[s];
         const struct neighbor found =
             nearest_of_all(&all, pieces, s, each, &counts);
         answers->nearest[i] = found.index;
@@ -32,9 +32,9 @@ static uint32_t ask_again(const struct question *question,
         counts_add(question->counts, &counts);
     }
     for (uint32_t k = 0; k < count; k++) {
-        const uint32_t i = pieces->sorted.cells.point[asking[k]];
+        const uint32_t i = pieces->sorted.cells.point[query[k]];
         if (answers->nearest[i] == NO_INDEX)
-            asking[left++] = i;
+            query[left++] = i;
     }
     return left;
 }
@@ -43,12 +43,12 @@ static uint32_t ask_again(const struct question *question,
 //> Find those that have given up
 static uint32_t list_given_up(const struct pieces *pieces,
                               const struct answers *answers,
-                              uint32_t *asking)
+                              uint32_t *query)
 {
     uint32_t count = 0;
     for (uint32_t s = 0; s < pieces->sorted.points.n; s++)
         if (answers->nearest[pieces->sorted.cells.point[s]] == NO_INDEX)
-            asking[count++] = s;
+            query[count++] = s;
     return count;
 }
 //<
@@ -67,13 +67,13 @@ void search_nearest_pieces(const struct question *question,
                   answers->nearest, answers->nearest2);
     workspace_release(workspace, mark);
     if (given_up > 0) {
-        uint32_t *asking =
-            workspace_take(workspace, given_up, sizeof *asking);
-        given_up = list_given_up(pieces, answers, asking);
-        given_up = ask_again(question, pieces, most, asking, given_up,
-                             answers);
+        uint32_t *query =
+            workspace_take(workspace, given_up, sizeof *query);
+        given_up = list_given_up(pieces, answers, query);
+        given_up = search_again(question, pieces, most, query, given_up,
+                                answers);
         if (given_up > 0)
-            search_by_halves(question, asking, given_up, workspace,
+            search_by_halves(question, query, given_up, workspace,
                              answers);
     }
     workspace_release(workspace, mark);

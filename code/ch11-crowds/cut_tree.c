@@ -6,8 +6,6 @@
 #include "common/random.h"
 #include <math.h>
 
-enum { DEEPEST = 14 };
-
 //> Draw a sample
 static struct point_record *draw(struct points points, uint32_t count,
                                  struct workspace *workspace)
@@ -72,7 +70,8 @@ struct cut_tree cut_tree_make(struct points points, uint32_t per_piece,
                               struct workspace *workspace)
 {
     struct cut_tree tree = {0};
-    while (tree.depth < DEEPEST && points.n >> tree.depth > per_piece)
+    while (tree.depth < DEEPEST_LEAF &&
+           points.n >> tree.depth > per_piece)
         tree.depth++;
     tree.leaves = 1u << tree.depth;
     tree.x = workspace_take(workspace, tree.leaves, sizeof *tree.x);

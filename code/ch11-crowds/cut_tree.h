@@ -19,9 +19,10 @@ struct cut_tree {
 };
 //<
 
-// So many points of the sample are meant for a leaf: then no leaf is
-// expected to have twice as many points as the mean, among a million.
-enum { SAMPLE_PER_LEAF = 32 };
+// So many points of the sample are meant for a leaf. It then has as
+// many points as the mean, give or take two fifths: its share of the
+// sample is random, and so are the few by which the sample is cut.
+enum { SAMPLE_PER_LEAF = 32, DEEPEST_LEAF = 14 };
 
 // For pieces of so many points on average. All arrays are taken from
 // the workspace.

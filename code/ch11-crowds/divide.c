@@ -1,7 +1,7 @@
 //> Search by halves
 // A place compares itself, over the border, with those places of the
 // other half that its circle reaches as far as y and the border can
-// tell. No more than four circles of a half cover a point of the
+// tell. No more than five circles of a half cover a place on the
 // border, so a join of n places takes a few n steps.
 #include "ch11-crowds/divide.h"
 #include "common/min_max.h"
@@ -13,7 +13,7 @@
 struct place {
     double x, y, best2;
     uint32_t lowest, second, nearest;
-    bool asks;
+    bool is_query; // its answer is wanted
 };
 
 struct halving {
@@ -29,8 +29,8 @@ struct some {
 //<
 
 //> Compare two places
-static void ask(const struct halving *halving, struct place *p,
-                const struct place *q)
+static void compare(const struct halving *halving, struct place *p,
+                    const struct place *q)
 {
     const double near2 =
         closest2(halving->space, q->x - p->x, q->y - p->y);
@@ -61,7 +61,7 @@ static uint32_t walk_on(const struct halving *halving, struct place *p,
         if (distance2(at.across, apart) > p->best2)
             break;
         if (q != p)
-            ask(halving, p, q);
+            compare(halving, p, q);
     }
     return steps;
 }
@@ -83,12 +83,12 @@ static uint32_t walk(const struct halving *halving, struct place *p,
 }
 //<
 
-//> Ask over the border
-// All places of one half those of the other. Nothing there is nearer,
-// across, than the border is.
-static uint64_t ask_over(const struct halving *halving,
-                         struct some these, struct some other,
-                         double border)
+//> Search over the border
+// For all places of one half, among those of the other. Nothing there
+// is nearer, across, than the border is.
+static uint64_t search_over(const struct halving *halving,
+                            struct some these, struct some other,
+                            double border)
 {
     uint64_t distances = 0;
     uint32_t k = other.begin;
@@ -97,7 +97,7 @@ static uint64_t ask_over(const struct halving *halving,
         while (k < other.end && halving->place[halving->up[k]].y < p->y)
             k++;
         const double across = border - p->x;
-        if (p->asks && !(across * across > p->best2)) {
+        if (p->is_query && !(across * across > p->best2)) {
             distances += walk(halving, p, other, k, 1, across);
             distances +=
                 walk(halving, p, other, (int64_t)k - 1, -1, across);
@@ -142,16 +142,16 @@ static void divide(const struct halving *halving, struct some some)
 #pragma omp taskwait
     struct counts counts = {0};
     counts.distances =
-        ask_over(halving, half, other, halving->place[middle].x) +
-        ask_over(halving, other, half, halving->place[middle - 1].x);
+        search_over(halving, half, other, halving->place[middle].x) +
+        search_over(halving, other, half, halving->place[middle - 1].x);
     counts_add(halving->counts, &counts);
     merge(halving, half, other);
 }
 //<
 
-//> Ask over the seam
+//> Search over the seam
 // To the right of the rightmost place lies the leftmost again.
-static void ask_over_seam(const struct halving *halving, uint32_t n)
+static void search_over_seam(const struct halving *halving, uint32_t n)
 {
     const struct some all = {0, n};
     const double left = halving->place[0].x;
@@ -161,7 +161,7 @@ static void ask_over_seam(const struct halving *halving, uint32_t n)
         struct place *p = &halving->place[halving->up[k]];
         const double across =
             halving->space.width - MAX(right - p->x, p->x - left);
-        if (p->asks && !(across * across > p->best2)) {
+        if (p->is_query && !(across * across > p->best2)) {
             counts.distances += walk(halving, p, all, k, 1, across);
             counts.distances +=
                 walk(halving, p, all, (int64_t)k - 1, -1, across);
@@ -222,7 +222,7 @@ static void answer(const struct place *place, uint32_t i,
 //<
 
 void search_by_halves(const struct question *question,
-                      const uint32_t *asking, uint32_t count,
+                      const uint32_t *query, uint32_t count,
                       struct workspace *workspace,
                       struct answers *answers)
 {
@@ -237,14 +237,14 @@ void search_by_halves(const struct question *question,
         question->counts};
     const uint32_t m = gather(halving.place, question->points, where);
     for (uint32_t k = 0; k < count; k++)
-        halving.place[where[asking[k]]].asks = true;
+        halving.place[where[query[k]]].is_query = true;
 #pragma omp parallel num_threads(question->threads)
 #pragma omp single
     divide(&halving, (struct some){0, m});
     if (question->space.geometry == WRAPAROUND)
-        ask_over_seam(&halving, m);
+        search_over_seam(&halving, m);
     for (uint32_t k = 0; k < count; k++)
-        answer(&halving.place[where[asking[k]]], asking[k], answers);
+        answer(&halving.place[where[query[k]]], query[k], answers);
     workspace_release(workspace, mark);
 }
 //<

@@ -9,11 +9,11 @@
 #include "common/question.h"
 #include "common/workspace.h"
 
-// Answers for the points asking[0 .. count-1] of the question, by its
+// Answers for the points query[0 .. count-1] of the question, by its
 // threads, and writes their neighbors to answers. What it needs is
 // taken from the workspace and given back.
 void search_by_halves(const struct question *question,
-                      const uint32_t *asking, uint32_t count,
+                      const uint32_t *query, uint32_t count,
                       struct workspace *workspace,
                       struct answers *answers);
 //<

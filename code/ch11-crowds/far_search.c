@@ -5,14 +5,14 @@
 #include "ch09-row-spans/batch_search.h"
 #include "ch10-furthest/candidate_search.h"
 #include "ch11-crowds/arcs.h"
-#include "ch11-crowds/ask_pieces.h"
+#include "ch11-crowds/point_search.h"
 #include "common/min_max.h"
 
 //> Hold a search for the furthest
 struct far_search {
     const struct question *question;
     const struct pieces *pieces;
-    const struct arcs *arcs; // NULL: all pieces are asked
+    const struct arcs *arcs; // NULL: all pieces are searched
     struct neighbor *results;
 };
 //<
@@ -57,10 +57,10 @@ static void search_by_arcs(const struct far_search *search,
 }
 //<
 
-//> Search a leaf by asking all pieces
-static void search_by_asking(const struct far_search *search,
-                             uint32_t begin, uint32_t end,
-                             struct counts *counts)
+//> Search a leaf by boxes
+static void search_by_boxes(const struct far_search *search,
+                            uint32_t begin, uint32_t end,
+                            struct counts *counts)
 {
     const struct pieces *pieces = search->pieces;
     const struct scene all = scene_of(search->question, pieces);
@@ -87,7 +87,7 @@ static void search_leaves(const struct far_search *search)
             if (search->arcs)
                 search_by_arcs(search, begin, end, &counts);
             else
-                search_by_asking(search, begin, end, &counts);
+                search_by_boxes(search, begin, end, &counts);
         }
         counts_add(question->counts, &counts);
     }

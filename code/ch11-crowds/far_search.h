@@ -1,7 +1,7 @@
 //> Declare the search for the furthest by pieces
 // Without wraparound: few corners in the candidate grid of chapter 10,
 // many by their arcs. With wraparound the furthest is near, as
-// separations go, and all pieces are asked for it.
+// separations go, and is searched for in all pieces.
 #pragma once
 #include "ch11-crowds/pieces.h"
 

@@ -31,12 +31,12 @@ static struct grid fit_grid(const struct growing *growing,
                             const struct box *box)
 {
     const uint32_t n = part->end - part->begin;
-    const size_t from =
-        border_room(part->begin) +
-        24 * (size_t)(growing->first_piece + growing->pieces);
+    const size_t number = growing->first_piece + growing->pieces;
+    const size_t begin = border_begin(part->begin, number);
+    const size_t end = border_begin(part->end, number + 1);
     struct workspace room = {
-        .block[0] = {(char *)(growing->growth->border + from),
-                     (border_room(n) - 2) * sizeof(double), 0}};
+        .block[0] = {(char *)(growing->growth->border + begin),
+                     (end - begin) * sizeof(double), 0}};
     double x[2] = {box->left, box->right};
     double y[2] = {box->bottom, box->top};
     const struct question corners = {
@@ -114,7 +114,7 @@ static struct piece *begin_piece(const struct growing *growing,
                               pieces->sorted.points.x + begin,
                               pieces->sorted.points.y + begin},
                    .cells = {growing->growth->start +
-                                 start_room(begin) + 4 * (size_t)number,
+                                 start_begin(begin, number),
                              pieces->sorted.cells.point + begin}},
         .region = part->region,
         .begin = begin};

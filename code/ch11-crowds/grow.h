@@ -18,25 +18,35 @@ struct growth {
 // many on average, themselves included, and if it has more points than
 // is worth while to cut.
 static const double CROWDED = 8;
-enum { FEWEST_TO_CUT = 96, POINTS_PER_SLOT = 32 };
+enum { FEWEST_TO_CUT = 96 };
 //<
 
-// Room for the pieces of n points: no leaf becomes more than this.
+//> Limit the pieces of a leaf
+// Of n points: it is cut no more when it has as many parts as that.
+enum { POINTS_PER_SLOT = 32 };
+
 static inline uint32_t piece_slots(uint32_t n)
 {
     return n / POINTS_PER_SLOT + 2;
 }
+//<
 
-// How many borders, and starts, a piece of n points may need.
-static inline size_t border_room(size_t n)
+//> Make room for grids
+// Where the borders of a piece begin, and its starts, if before it are
+// so many points and pieces: behind three numbers for four points, as a
+// grid has two cells for three, and some more for each piece.
+enum { SPARE_BORDERS = 24, SPARE_STARTS = 4 };
+
+static inline size_t border_begin(size_t points, size_t pieces)
 {
-    return n - n / 4 + 24;
+    return points - points / 4 + SPARE_BORDERS * pieces;
 }
 
-static inline size_t start_room(size_t n)
+static inline size_t start_begin(size_t points, size_t pieces)
 {
-    return n - n / 4 + 4;
+    return points - points / 4 + SPARE_STARTS * pieces;
 }
+//<
 
 //> Hold a leaf
 // The records begin .. end - 1, the region around them, the first node

@@ -7,13 +7,21 @@
 #include <assert.h>
 
 //> Compare with a stretch of points
+// Not with one that is longer than the steps that are left: with it the
+// query gives up.
+static bool can_afford(struct piece_query *query, uint32_t points)
+{
+    query->steps += points;
+    return query->steps <= query->most;
+}
+
 void compare_nearest(struct piece_query *query, uint32_t begin,
                      uint32_t end)
 {
-    query->all->kernels->compare(query->all, begin, end,
-                                        &query->query);
+    if (!can_afford(query, end - begin))
+        return;
+    query->all->kernels->compare(query->all, begin, end, &query->query);
     query->query.compared += end - begin;
-    query->steps += end - begin;
 }
 
 void compare_furthest(struct piece_query *query, uint32_t begin,
@@ -22,6 +30,8 @@ void compare_furthest(struct piece_query *query, uint32_t begin,
     const struct points p = query->pieces->sorted.points;
     const uint32_t *point = query->pieces->sorted.cells.point;
     struct query *q = &query->query;
+    if (!can_afford(query, end - begin))
+        return;
     for (uint32_t s = begin; s < end; s++) {
         const double far2 =
             furthest2(query->all->space, p.x[s] - q->x, p.y[s] - q->y);
@@ -29,7 +39,6 @@ void compare_furthest(struct piece_query *query, uint32_t begin,
             query_keep(q, point[s], -far2);
     }
     q->compared += end - begin;
-    query->steps += end - begin;
 }
 //<
 
@@ -85,16 +94,13 @@ struct waiting {
 };
 //<
 
-// Of a list, an eighth is cut off at least, or all but what is equal.
-enum { DEEPEST = 512 };
-
 INLINED bool query_pieces(const enum geometry geometry,
                           const bool furthest,
                           struct piece_query *query)
 {
     const struct pieces *pieces = query->pieces;
     struct query *q = &query->query;
-    struct waiting stack[DEEPEST];
+    struct waiting stack[DEEPEST + 1];
     int height = 1;
     stack[0] = (struct waiting){-INFINITY, 0};
     while (height > 0 && query->steps <= query->most) {
@@ -121,7 +127,7 @@ INLINED bool query_pieces(const enum geometry geometry,
         b.bound = box_bound(geometry, furthest, query->all->space,
                             &pieces->node[b.node].box, q->x, q->y);
         const bool swap = a.bound < b.bound;
-        assert(height + 2 <= DEEPEST && "cuts are medians");
+        assert(height < DEEPEST && "the depth is bounded");
         stack[height++] = swap ? b : a;
         stack[height++] = swap ? a : b;
         //<

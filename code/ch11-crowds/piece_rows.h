@@ -115,7 +115,6 @@ INLINED void compare_row_of(const enum geometry geometry,
                            piece->begin + start[range.first],
                            piece->begin + start[range.last + 1]);
     }
-    query->steps++;
 }
 //<
 
@@ -141,11 +140,12 @@ INLINED void search_rows(const enum geometry geometry,
         if (!cells_within(up, k == 0 ? y : y + k * space.height, above,
                           &rows))
             continue;
-        for (uint32_t row = rows.first; row <= rows.last; row++) {
+        for (uint32_t row = rows.first;
+             row <= rows.last && query->steps <= query->most; row++) {
+            query->steps++;
             box.bottom = up->border[row];
             box.top = up->border[row + 1];
-            if (query->steps <= query->most &&
-                can_be_better(
+            if (can_be_better(
                     &query->query,
                     box_bound(geometry, furthest, space, &box, x, y),
                     0))

@@ -5,12 +5,12 @@
 #include "ch11-crowds/piece_search.h"
 #include "ch09-row-spans/batch_search.h"
 #include "ch09-row-spans/span_kernels.h"
-#include "ch11-crowds/ask_pieces.h"
+#include "ch11-crowds/point_search.h"
 #include "common/min_max.h"
 #include <math.h>
 
 //> Hold the scene of a piece
-// The scene comes first, so that who is given it finds the rest.
+// The scene comes first, so that its address is that of the whole.
 struct whole {
     struct scene scene; // of all points
     const struct pieces *pieces;

@@ -1,7 +1,7 @@
 //> Declare the search by pieces
 // The nearest neighbors by chapter 9's batches, piece by piece. What a
 // batch cannot certify, because something nearer may be in another
-// piece, is asked of all pieces.
+// piece, is searched for in all pieces.
 #pragma once
 #include "ch09-row-spans/batch_search.h"
 #include "ch11-crowds/pieces.h"

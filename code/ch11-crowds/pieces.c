@@ -158,10 +158,10 @@ struct pieces pieces_make(const struct question *question,
     struct pieces pieces = take_pieces(p.n, tree.leaves, workspace);
     const struct growth growth = {
         .pieces = &pieces,
-        .start = workspace_take(workspace, start_room(p.n) + 4 * slots,
+        .start = workspace_take(workspace, start_begin(p.n, slots),
                                 sizeof(uint32_t)),
-        .border = workspace_take(
-            workspace, border_room(p.n) + 24 * slots, sizeof(double))};
+        .border = workspace_take(workspace, border_begin(p.n, slots),
+                                 sizeof(double))};
     struct mark mark = workspace_mark(workspace);
     const int chunks = question->threads;
     struct growth grown = growth;

@@ -87,6 +87,7 @@ void collect_line(struct collector *collector,
              lines->stream->name, lines->number, UINT32_MAX);
     append(collector, (struct points){1, &point[0], &point[1]});
 }
+
 // Stops where it has not room for so many points.
 static void take_part(struct part *part, uint32_t room,
                       const struct line_format *format)

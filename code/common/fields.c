@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 #include <strings.h>
+
 const char *field_end(const char *line, char separator)
 {
     bool quoted = false;
@@ -46,6 +47,7 @@ const char *find_field(const char *line, char separator, int column)
         line = next_field(line, separator);
     return line;
 }
+
 //> Read the number in a field
 const char *read_number(const char *field, char separator,
                         double *number)
@@ -64,6 +66,7 @@ bool is_count(double number)
     return number >= 1 && number <= UINT32_MAX &&
            number == floor(number);
 }
+
 static bool is_missing(const char *field, size_t length)
 {
     static const char *const missing[] = {"NA", "N/A", "NULL", "None"};

@@ -30,6 +30,7 @@ void lines_free(struct lines *lines)
 {
     free(lines->copy);
 }
+
 //> Say what is wrong with a line
 void reject(const struct lines *lines, const char *expected)
 {

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
 // The lines of a table whose first line is the current one.
 static struct line_format table_format(const struct lines *lines,
                                        struct columns columns)
@@ -53,6 +54,7 @@ static void read_table(struct collector *collector,
         collect_line(collector, &format);
     collect_lines(collector, &format);
 }
+
 static bool is_tsplib(const char *line)
 {
     static const char *const keywords[] = {"NAME",

@@ -35,6 +35,7 @@ static void note_wrong(struct verdict *verdict, uint32_t i)
             verdict->first = i;
     }
 }
+
 struct verdicts check_answers(const struct question *question,
                               const struct answers *answers)
 {

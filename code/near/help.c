@@ -4,6 +4,7 @@
 #include "algorithms.h"
 #include "common/generate.h"
 #include <stdio.h>
+
 static const char *const manual[] = {
     "near - find every point's nearest and furthest neighbor",
     "",
@@ -204,6 +205,7 @@ void print_help(void)
     for (size_t k = 0; k < sizeof manual / sizeof *manual; k++)
         puts(manual[k]);
 }
+
 static const char *names_of_geometries(unsigned set)
 {
     return set == STANDARD     ? "standard"

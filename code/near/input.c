@@ -31,6 +31,7 @@ static void insist_on_memory(uint32_t n, unsigned answers)
              "this machine has %.0f",
              n, needed / 1e9, there / 1e9);
 }
+
 // A line of a table with a point has four characters at least. What is
 // no file, such as a pipe, is read by one thread.
 static int threads_to_read(const struct options *options)
@@ -65,6 +66,7 @@ struct points get_points(const struct options *options,
                                              : options->file);
     return points;
 }
+
 // High, if it is above low, or else the next number that is.
 static double above(double low, double high)
 {
@@ -91,6 +93,7 @@ static _Noreturn void refuse_box(struct points points, uint32_t i)
          "%.17g,%.17g,%.17g,%.17g",
          points.x[i], points.y[i], x0, y0, x1, y1);
 }
+
 struct space get_space(const struct options *options,
                        struct points points)
 {

@@ -13,22 +13,10 @@
 #include "near/table.h"
 #include "near/threads.h"
 #include "near/write.h"
-#include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-// A file opened while standard output or error is closed would take its
-// place, and get what was meant for it.
-static void insist_on_output(void)
-{
-    if (fcntl(STDERR_FILENO, F_GETFD) < 0)
-        exit(2);
-    if (fcntl(STDOUT_FILENO, F_GETFD) < 0)
-        fail("cannot write standard output: it is closed");
-}
 
 // One if it answers all that can be answered, else one for the nearest
 // and one for the furthest.

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
 enum { COLUMNS = 256, BOX, TIMING, CHECK, LIST, HELP };
 
 static _Noreturn void refuse_option(int option, char **argv)
@@ -84,6 +85,7 @@ static void take_option(struct options *options, int option,
         take_long_option(options, option, argv);
     }
 }
+
 // The first may be "-", which is the file at standard input, if it is
 // one.
 static bool same_file(const char *input, const char *output)
@@ -96,6 +98,7 @@ static bool same_file(const char *input, const char *output)
            (!from_stdin || S_ISREG(in.st_mode)) &&
            in.st_dev == out.st_dev && in.st_ino == out.st_ino;
 }
+
 static void check_options(const struct options *o, bool generating)
 {
     if (o->file && generating)

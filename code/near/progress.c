@@ -46,6 +46,7 @@ static void *show(void *unused)
     pthread_mutex_unlock(&progress.lock);
     return unused;
 }
+
 void progress_start(const char *what, uint32_t rows)
 {
     progress.what = what;

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+
 // Whether the closest images are in different places.
 static bool apart(const struct question *question, uint32_t i,
                   uint32_t j)
@@ -37,6 +38,7 @@ void warn_of_range(const struct question *question,
                 over ? "far apart" : "close together",
                 over ? "infinite" : "zero or nearly so");
 }
+
 static void summarize_distances(const char *kind,
                                 const double *distance2, uint32_t n)
 {

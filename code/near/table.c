@@ -42,6 +42,7 @@ static bool has(const struct table *table, struct column column)
     return !(column.answers & NEAREST && !table->answers->nearest) &&
            !(column.answers & FURTHEST && !table->answers->furthest);
 }
+
 static char *put_text(char *to, const char *text)
 {
     const size_t length = strlen(text);
@@ -92,6 +93,7 @@ static char *put_line(char *to, const struct table *table, uint32_t i)
     *to++ = '\n';
     return to;
 }
+
 // The head of an .npy file, see common/read_npy.h: filled with spaces,
 // so that the numbers begin at a multiple of 64.
 static char *put_npy_head(char *to, const struct table *table)

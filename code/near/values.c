@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+
 double parse_count(const char *option, const char *text, double min,
                    double max)
 {
@@ -47,6 +48,7 @@ static bool parse_numbers(const char *text, double *numbers, int count)
     }
     return true;
 }
+
 struct columns parse_columns(const char *text)
 {
     double numbers[2];
@@ -59,6 +61,7 @@ struct columns parse_columns(const char *text)
              text);
     return (struct columns){(int)numbers[0], (int)numbers[1]};
 }
+
 void parse_box(double box[static 4], const char *text)
 {
     if (!parse_numbers(text, box, 4) || !(box[0] < box[2]) ||
@@ -68,6 +71,7 @@ void parse_box(double box[static 4], const char *text)
              "finite sides, found \"%s\"",
              text);
 }
+
 enum geometry parse_geometry(const char *text)
 {
     if (strcmp(text, "standard") == 0)

@@ -3,6 +3,7 @@
 #include "near/write.h"
 #include "common/fail.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -11,6 +12,14 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+void insist_on_output(void)
+{
+    if (fcntl(STDERR_FILENO, F_GETFD) < 0)
+        exit(2);
+    if (fcntl(STDOUT_FILENO, F_GETFD) < 0)
+        fail("cannot write standard output: it is closed");
+}
 
 static FILE *out;
 static int failure;                 // an errno, of the first
@@ -46,6 +55,7 @@ static void abandon_on_signals(void)
     signal(SIGXFSZ, SIG_IGN); // a file too large is an error to report
     atexit(write_abandon);
 }
+
 // An existing target is followed to what its links point at, and lends
 // the new file its rights.
 static FILE *open_partial(const char *name, const struct stat *existing)
@@ -63,6 +73,7 @@ static FILE *open_partial(const char *name, const struct stat *existing)
         fchmod(fileno(file), existing->st_mode & 07777);
     return file;
 }
+
 static bool is_standard_output(const struct stat *file)
 {
     struct stat standard;

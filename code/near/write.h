@@ -5,6 +5,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+// Ends the program where standard output or error is closed. A file
+// opened then would take its place, and get what was meant for it.
+void insist_on_output(void);
+
 // Opens early, so that an unwritable file is known before hours of
 // work. "-" is standard output. Fails with a sentence.
 void write_open(const char *name);

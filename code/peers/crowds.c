@@ -38,7 +38,7 @@ static void compete_for_file(const char *file, int number,
     char name[40];
     snprintf(name, sizeof name, "%s", slash ? slash + 1 : file);
     name[strcspn(name, ".")] = 0;
-    const struct occasion occasion = {name, "unordered", number};
+    const struct occasion occasion = {name, "file", number};
     compete_for(
         read_points(file, (struct columns){0, 0}, rules->threads),
         &occasion, rules, contenders);

@@ -16,7 +16,7 @@ handout: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) exercises/course/handout
 
 $(BUILD)/solutions.pdf: $(press) $(wildcard chapters/ch*.md book/data/*.tsv) \
-		| $(BUILD)/setup/book
+		$(shell find book/manual exercises/ch* -type f) | $(BUILD)/setup/book
 	@echo "print $@, in about a minute"
 	$(Q)BUILD=$(BUILD) CC="$(CC)" $(LUA) book/press/press.lua --solutions --build $(BUILD)
 
@@ -27,11 +27,11 @@ solutions: $(BUILD)/solutions.pdf
 export: | $(BUILD)/setup/test
 	@BUILD=$(BUILD) exercises/course/export
 
-#: both editions, the PDF, pictures, checksums: VERSION=2.0
+#: both editions, the PDF, pictures, web pages, checksums: VERSION=2.0
 release: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) VERSION="$(VERSION)" exercises/course/release --check
 	@$(MAKE) --no-print-directory $(BUILD)/near-and-far.pdf \
-	    $(BUILD)/solutions.pdf slides pictures export
+	    $(BUILD)/solutions.pdf slides pictures export web
 	@BUILD=$(BUILD) VERSION="$(VERSION)" exercises/course/release
 
 #: unpacks a release and tries all of it, in half an hour

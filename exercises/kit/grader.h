@@ -42,6 +42,7 @@ struct grader {
     uint64_t seed;
     const char *lost;    // why every test is, or NULL
     const char *verdict; // on every test, if so
+    const char *until;   // words of a failure that is the last, or NULL
     int file;            // the library, open
     double limit;        // seconds a call may take
     int stops;           // calls that took more

@@ -1,11 +1,12 @@
 // The grader: runs the tests of an exercise against a student's file.
 //
 //   GRADER [-s SEED] [-l SECONDS] [-n WHY -v VERDICT] [-p PICTURE]
-//          LIBRARY SOURCE SCORES [TEST...]
+//          [-u WORDS] LIBRARY SOURCE SCORES [TEST...]
 //
 // -n fails every test for this reason and runs none: no seed would
 // change that, and the table has none. PICTURE becomes what wrong.gp
-// draws, if a test has failed that can be drawn.
+// draws, if a test has failed that can be drawn. -u ends with the first
+// test that fails with these words: enough, to know a mistake again.
 //
 // SCORES becomes a table, tab-separated, one row a test, with all that
 // a report needs. What the student's code prints is passed on, but is
@@ -118,13 +119,18 @@ void kit_given(const char *format, ...)
 
 // Where no other array gives away that there is one: a wish, which the
 // system grants if nothing lies there, and its machine has the place.
-static void *anywhere(size_t page)
+// Drawn once for the first array of every case, once for the second,
+// and so on: no call knows what the one before it knew, and all places
+// that were ever used cost time when a process is copied.
+static void *anywhere(int number, size_t page)
 {
+    static void *places[ARRAYS_MAX];
     const uint64_t lowest = (uint64_t)1 << 45, range = lowest;
     uint64_t draw;
-    if (getentropy(&draw, sizeof draw) != 0)
-        return NULL;
-    return (void *)(uintptr_t)((lowest + draw % range) / page * page);
+    if (!places[number] && getentropy(&draw, sizeof draw) == 0)
+        places[number] =
+            (void *)(uintptr_t)((lowest + draw % range) / page * page);
+    return places[number];
 }
 
 static void *add_array(const char *name, size_t count, size_t size,
@@ -135,7 +141,8 @@ static void *add_array(const char *name, size_t count, size_t size,
     size_t page = sysconf(_SC_PAGESIZE);
     size_t bytes = (count * size + page - 1) / page * page + page;
     char *pages =
-        mmap(anywhere(page), bytes + page, PROT_READ | PROT_WRITE,
+        mmap(anywhere(grader.array_count, page), bytes + page,
+             PROT_READ | PROT_WRITE,
              (input ? MAP_PRIVATE : MAP_SHARED) | MAP_ANONYMOUS, -1, 0);
     if (pages == MAP_FAILED ||
         mprotect(pages + bytes, page, PROT_NONE) != 0)
@@ -581,7 +588,19 @@ static void put_cell(const char *text, char end)
     putc(end, grader.scores);
 }
 
-static void run_test(const struct kit_test *test)
+// Among what is told of a failure.
+static bool says(const struct kit_fault *fault, const char *words)
+{
+    const char *const told[] = {fault->expected, fault->found,
+                                fault->cause};
+    for (int k = 0; k < 3; k++)
+        if (told[k] && strstr(told[k], words))
+            return true;
+    return false;
+}
+
+// Whether the tests go on.
+static bool run_test(const struct kit_test *test)
 {
     grader.status = "passed";
     grader.fault = (struct kit_fault){.where = NULL};
@@ -612,7 +631,10 @@ static void run_test(const struct kit_test *test)
     put_cell(grader.ratio > 0 ? kit_text("%.4g", grader.ratio) : "",
              '\n');
     fflush(grader.scores);
+    const bool enough =
+        grader.until && !passed && says(&grader.fault, grader.until);
     kit_next_case();
+    return !enough;
 }
 
 static bool wanted(const char *name, char **names)
@@ -650,7 +672,7 @@ static bool read_options(int argc, char **argv)
     grader.limit = 10;
     grader.verdict = "missing";
     for (int option;
-         (option = getopt(argc, argv, "s:l:n:v:p:")) != -1;) {
+         (option = getopt(argc, argv, "s:l:n:v:p:u:")) != -1;) {
         if (option == 's')
             grader.seed = strtoull(optarg, NULL, 0);
         else if (option == 'l')
@@ -661,6 +683,8 @@ static bool read_options(int argc, char **argv)
             grader.verdict = optarg;
         else if (option == 'p')
             grader.picture = optarg;
+        else if (option == 'u')
+            grader.until = optarg;
         else
             return false;
     }
@@ -685,8 +709,8 @@ int main(int argc, char **argv)
         puts("This system has limits to hold a program back, but no "
              "rules.");
     for (const struct kit_test *test = kit_tests; test->name; test++)
-        if (wanted(test->name, argv + 3))
-            run_test(test);
+        if (wanted(test->name, argv + 3) && !run_test(test))
+            break;
     bool bad = ferror(grader.scores);
     if (fclose(grader.scores) != 0 || bad)
         fail("cannot write %s", argv[2]);

@@ -17,8 +17,10 @@ quick     := $(flags) -O1
 # plainest processor.
 plain     := $(flags) -O3 -march=$(if $(filter x86_64,$(shell uname -m)),x86-64,native)
 other     := $(if $(findstring clang,$(CC)),gcc,clang)
-rival      = $(if $(shell echo 'int main(void) { return 0; }' | \
-	$(other) -fopenmp -x c - -o /dev/null 2>&1),$(CC),$(other))
+# Tried once, by the first make that wants to know.
+export RIVAL
+rival      = $(eval RIVAL := $(or $(RIVAL),$(if $(shell echo 'int main(void) { return 0; }' | \
+	$(other) -fopenmp -x c - -o /dev/null 2>&1),$(CC),$(other))))$(RIVAL)
 compiler   = $(if $(filter plain,$(1)),$(rival),$(CC))
 # With hooks for slow_motion.h, if the tests want them.
 slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thread)
@@ -26,8 +28,9 @@ slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thr
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
 naive      := $(patsubst exercises/%/naive.c,%,$(wildcard exercises/*/*/naive.c))
-# The driver of experiments knows all algorithms, and no exercise needs it.
-modules    := $(patsubst code/%.c,%,$(filter-out %/experiment.c,$(wildcard code/common/*.c)))
+# No exercise reads files, or is an experiment.
+files      := collect experiment fields lines numbers point_line read_npy read_points report stream
+modules    := $(patsubst code/%.c,%,$(filter-out $(files:%=code/common/%.c),$(wildcard code/common/*.c)))
 kit_modules := kit judge confine fence marks threads slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 

@@ -11,16 +11,7 @@ export WORK LIMIT TEST SEED
 file=$WORK/2.1/nearest-pair.c
 scores=$BUILD/$WORK/2.1/scores.tsv
 said=$folder/said
-
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok $name"
-    else
-        echo "not ok $name: $(tail -n 25 "$said" | tr '\n' ' ')"
-    fi
-}
+. tests/checks
 
 # attempt NAME WORDS BODY: the function with this body loses all points,
 # and the report says the words.
@@ -43,10 +34,6 @@ all_lost() {
     tr -s ' \n' ' ' <"$said" | grep -q -F -e "$1" && [ $status -eq 1 ] &&
         awk -F '\t' 'NR > 1 { n++; p += $2 } END { exit !(n == 2 && p == 0) }' \
             "$scores"
-}
-
-lacks() {
-    ! grep -q -e "$1" "$said"
 }
 
 lacks_in() {

@@ -11,16 +11,7 @@ cd "$root" || exit 1
 said=$place/said
 BUILD=$place/build
 export BUILD
-
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok $name"
-    else
-        echo "not ok $name: $(tail -n 5 "$said" | tr '\n' ' ')"
-    fi
-}
+. tests/checks
 
 exercises/course/export >"$said" 2>&1
 check "both are written" [ $? -eq 0 ]

@@ -3,26 +3,14 @@
 # is its own reference, or slower, or measured where nothing can be.
 
 : "${BUILD:=build}" "${CC:=cc}"
-root=$PWD
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
-chmod 755 "$folder"
-exercise=$folder/exercises/ch98/1-marks
-mkdir -p "$exercise" "$folder/work/98.1"
-ln -s "$root/code" "$folder/code"
-ln -s "$root/exercises/kit" "$folder/exercises/kit"
-cd "$folder" || exit 1
+said=said
+. tests/checks
+make_exercise "$folder" 1-marks
+mkdir work/98.1
 export BUILD=build CC
 
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok $name"
-    else
-        echo "not ok $name: $(tr '\n' ' ' <said) $(tr '\n' ' ' <$scores)"
-    fi
-}
 scores=build/grade/98.1/scores.tsv
 
 cat >"$exercise/exercise.md" <<'END'

@@ -4,26 +4,12 @@
 # check of naive files, of which the serial answer is one.
 
 : "${BUILD:=build}" "${CC:=cc}"
-root=$PWD
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
-chmod 755 "$folder"
-exercise=$folder/exercises/ch98/2-threads
-mkdir -p "$exercise" "$folder/work"
-ln -s "$root/code" "$folder/code"
-ln -s "$root/exercises/kit" "$folder/exercises/kit"
-cd "$folder" || exit 1
+said=said
+. tests/checks
+make_exercise "$folder" 2-threads
 export BUILD=build CC
-
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok $name"
-    else
-        echo "not ok $name: $(tail -n 20 said | tr '\n' ' ')"
-    fi
-}
 
 cat >"$exercise/exercise.md" <<'END'
 ---

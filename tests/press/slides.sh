@@ -7,11 +7,15 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 1' HUP INT TERM
 cd "$root" || exit 1
-mkdir -p "$scratch/build/drawings"
+mkdir -p "$scratch/build/drawings" "$scratch/build/slides/figures"
 
 # Pictures are looked for, not at.
-for picture in book/drawings/*.tex book/figures/*.gp; do
-    : >"$scratch/build/drawings/$(basename "${picture%.*}").pdf"
+for picture in book/figures/*.gp; do
+    : >"$scratch/build/slides/figures/$(basename "$picture" .gp).pdf"
+done
+for drawing in book/drawings/*-*.tex; do
+    name=$(basename "$drawing" .tex)
+    printf '%s\t1\n' "$name" >>"$scratch/build/drawings/${name%%-*}.pages"
 done
 press() {
     texlua book/press/press.lua --check --slides "$1" \

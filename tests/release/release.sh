@@ -10,28 +10,14 @@ trap 'exit 1' HUP INT TERM
 unset MAKEFLAGS MFLAGS MAKELEVEL
 said=$place/said
 copy=$place/copy
-mkdir -p "$copy/exercises" "$place/bin"
+mkdir "$place/bin"
 cd "$root" || exit 1
-cp -R book chapters code tests LICENSE CITATION.cff CHANGES.md CONTRIBUTING.md \
-    README.md Makefile setup .clang-format "$copy"
-cp -R exercises/kit exercises/course exercises/ch04 "$copy/exercises"
+. tests/checks
+copy_project "$copy"
 cd "$copy" || exit 1
 BUILD=build
 export BUILD
 version=$(sed -n 's/^## *\([^ ,]*\).*/\1/p' CHANGES.md | head -n 1)
-
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok $name"
-    else
-        echo "not ok $name: $(tail -n 5 "$said" | tr '\n' ' ')"
-    fi
-}
-
-says() { grep -q -F -e "$1" "$said"; }
-lacks() { ! grep -q -e "$1" "$said"; }
 
 # A PDF is text here.
 printf '#!/bin/sh\ncat "$2"\n' >"$place/bin/pdftotext"
@@ -53,9 +39,9 @@ left_nothing() {
 refused "no version" "make release VERSION=2.0" ""
 refused "a version without its changes" "CHANGES.md begins with" 77.1
 refused "a release before there is a book" "there is no build/near-and-far.pdf" "$version"
-mkdir -p build/slides build/export build/pictures/drawings
+mkdir -p build/slides build/export build/pictures/drawings build/web
 for file in near-and-far.pdf solutions.pdf slides/ch04.pdf export/moodle.xml \
-    pictures/drawings/ch04-scan.svg; do
+    pictures/drawings/ch04-scan.svg web/index.html web/index.js; do
     echo "Count, scan, place" >"build/$file"
 done
 cp CITATION.cff "$place"
@@ -77,10 +63,10 @@ release "$version"
 check "a release" [ $? -eq 0 ]
 edition=near-and-far-$version
 check "all of it" [ "$(ls -A build/release | tr '\n' ' ')" = \
-    "CHANGES.md SHA256SUMS $edition-instructor.tar.gz $edition-pictures.zip $edition.pdf $edition.tar.gz " ]
+    "CHANGES.md SHA256SUMS $edition-instructor.tar.gz $edition-pictures.zip $edition-web.zip $edition.pdf $edition.tar.gz " ]
 (cd build/release && sha256sum -c SHA256SUMS) >"$said" 2>&1
 check "its sums are right" [ $? -eq 0 ]
-check "and are five" [ "$(wc -l <"$said" | tr -d ' ')" = 5 ]
+check "and are six" [ "$(wc -l <"$said" | tr -d ' ')" = 6 ]
 mkdir "$place/student" "$place/instructor"
 (cd "$place/student" && tar xzf "$copy/build/release/$edition.tar.gz")
 (cd "$place/instructor" && tar xzf "$copy/build/release/$edition-instructor.tar.gz")

@@ -11,32 +11,13 @@ unset EXERCISES TITLE DUE WORK GRADES SEED LIMIT TEST PDF MAKEFLAGS MFLAGS
 said=$place/said
 copy=$place/copy
 sheets=$copy/build/sheets
-mkdir -p "$copy/exercises" "$place/bin"
+mkdir "$place/bin"
 cd "$root" || exit 1
-cp -R book chapters code tests LICENSE CITATION.cff CHANGES.md CONTRIBUTING.md \
-    README.md Makefile setup .clang-format "$copy"
-cp -R exercises/kit exercises/course exercises/ch04 "$copy/exercises"
+. tests/checks
+copy_project "$copy"
 cd "$copy" || exit 1
 BUILD=build
 export BUILD
-
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok $name"
-    else
-        echo "not ok $name: $(tail -n 12 "$said" | tr '\n' ' ')"
-    fi
-}
-
-says() {
-    grep -q -F -e "$1" "$said"
-}
-
-lacks() {
-    ! grep -q -e "$1" "$said"
-}
 
 # A press that is quick, and all there is where LaTeX is missing.
 cat >"$place/bin/lualatex" <<'END'

@@ -6,7 +6,7 @@
 // the leaves of the disc of Kuzmin, one by one. Counts only.
 //
 //     balance [POINTS]
-#include "ch11-crowds/piece_search.h"
+#include "ch11-crowds/experiments/cut_kinds.h"
 #include "common/experiment.h"
 #include "common/min_max.h"
 
@@ -53,45 +53,51 @@ static double efficiency(const struct leaf_work *work, uint32_t leaves,
     return sum / (threads * longest);
 }
 
-static void print_kind(const char *kind, uint32_t n, bool leaves_too)
+// The work of all leaves, in the order in which threads get them.
+static void measure_leaves(const struct cut_kind *kind,
+                           struct leaf_work *work)
+{
+    for (uint32_t k = 0; k < kind->pieces.leaves; k++)
+        work[k] =
+            work_of(&kind->question, &kind->pieces, k, kind->results);
+}
+
+static void print_kind(const struct cut_kind *kind)
 {
     static struct leaf_work work[MOST_LEAVES];
-    const struct question question = kind_question(kind, n, 1);
-    struct workspace workspace = {0};
-    const struct pieces pieces = pieces_make(&question, &workspace);
-    struct neighbor *results =
-        workspace_take(&workspace, n, sizeof *results);
+    const uint32_t leaves = kind->pieces.leaves;
     struct leaf_work most = {0};
-    for (uint32_t k = 0; k < pieces.leaves; k++) {
-        work[k] = work_of(&question, &pieces, k, results);
+    measure_leaves(kind, work);
+    for (uint32_t k = 0; k < leaves; k++) {
         most.points = MAX(work[k].points, most.points);
         most.pieces = MAX(work[k].pieces, most.pieces);
         most.distances = MAX(work[k].distances, most.distances);
-        if (leaves_too)
-            row("leaf_%u\t%u\t1\t%u\t%u\t%.5g\t1\t1\t1\t1\t1\t1", k,
-                work[k].points, work[k].points, work[k].pieces,
-                work[k].distances);
     }
-    if (!leaves_too) {
-        row_begin("shared_%s\t%u\t%u\t%u\t%u\t%.5g", kind, n,
-                  pieces.leaves, most.points, most.pieces,
-                  most.distances);
-        for (int t = 2; t <= MOST_THREADS; t *= 2)
-            row_cells("\t%.4g", efficiency(work, pieces.leaves, t));
-        row_end();
-    }
-    workspace_free(&workspace);
-    forget();
+    row_begin("shared_%s\t%u\t%u\t%u\t%u\t%.5g", kind->name,
+              kind->question.points.n, leaves, most.points, most.pieces,
+              most.distances);
+    for (int t = 2; t <= MOST_THREADS; t *= 2)
+        row_cells("\t%.4g", efficiency(work, leaves, t));
+    row_end();
+}
+
+static void print_leaves(const struct cut_kind *kind)
+{
+    static struct leaf_work work[MOST_LEAVES];
+    measure_leaves(kind, work);
+    for (uint32_t k = 0; k < kind->pieces.leaves; k++)
+        row("leaf_%u\t%u\t1\t%u\t%u\t%.5g\t1\t1\t1\t1\t1\t1", k,
+            work[k].points, work[k].points, work[k].pieces,
+            work[k].distances);
 }
 
 int main(int argc, char **argv)
 {
-    struct experiment e = experiment_begin(argc, argv);
-    uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
-    columns(&e, "name n leaves points pieces distances two four eight "
-                "sixteen thirty_two sixty_four");
-    for (int d = 0; d < distribution_count; d++)
-        print_kind(distributions[d].name, n, false);
-    print_kind("kuzmin", n, true);
+    const uint32_t n = cut_all_kinds(
+        argc, argv,
+        "name n leaves points pieces distances two four eight sixteen "
+        "thirty_two sixty_four",
+        print_kind);
+    cut_one_kind("kuzmin", n, print_leaves);
     return 0;
 }

@@ -8,7 +8,8 @@
 #include "common/generate.h"
 #include <math.h>
 
-static struct question ask(struct points p, enum geometry geometry)
+static struct question question_of(struct points p,
+                                   enum geometry geometry)
 {
     double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
     for (uint32_t i = 0; i < p.n; i++) {
@@ -32,8 +33,8 @@ static void print_kind(const struct distribution *kind, uint32_t n,
                        uint32_t patience)
 {
     struct points points = generate(kind, n, 1);
-    const struct question plain = ask(points, STANDARD);
-    const struct question torus = ask(points, WRAPAROUND);
+    const struct question plain = question_of(points, STANDARD);
+    const struct question torus = question_of(points, WRAPAROUND);
     row_begin("%s_%u\t%u", kind->name, n, n);
     row_cells("\t%.5g", distances("adaptive", &plain, NEAREST));
     row_cells("\t%.5g", distances("adaptive", &plain, FURTHEST));

@@ -4,10 +4,9 @@
 // counts of the cells, and how many from the density of the points.
 //
 //     pieces [POINTS]
+#include "ch11-crowds/experiments/cut_kinds.h"
 #include "ch11-crowds/experiments/predict.h"
-#include "ch11-crowds/piece_search.h"
 #include "common/experiment.h"
-#include "common/generate.h"
 
 static uint32_t depth_of(const struct pieces *pieces, uint32_t k)
 {
@@ -19,36 +18,30 @@ static uint32_t depth_of(const struct pieces *pieces, uint32_t k)
     return 1 + (a > b ? a : b);
 }
 
-static void print_kind(const char *kind, uint32_t n)
+static void print_kind(const struct cut_kind *kind)
 {
-    struct question question = kind_question(kind, n, 1);
-    struct workspace workspace = {0};
-    const struct pieces pieces = pieces_make(&question, &workspace);
+    const struct pieces *pieces = &kind->pieces;
+    const uint32_t n = kind->question.points.n;
     struct counts counts = {0};
-    question.counts = &counts;
-    struct neighbor *results =
-        workspace_take(&workspace, n, sizeof *results);
-    const uint32_t given_up =
-        search_pieces(&question, &pieces, steps_allowed(n), results);
+    struct question counted = kind->question;
+    counted.counts = &counts;
+    const uint32_t given_up = search_pieces(
+        &counted, pieces, steps_allowed(n), kind->results);
     uint32_t count = 0;
-    for (uint32_t k = 0; k < pieces.leaves; k++)
-        count += pieces.count[k];
-    row("cut_%s\t%u\t%u\t%.5g\t%u\t%.4g\t%u\t%.5g\t%.5g\t%.5g", kind, n,
-        count, (double)n / count, depth_of(&pieces, 0),
+    for (uint32_t k = 0; k < pieces->leaves; k++)
+        count += pieces->count[k];
+    row("cut_%s\t%u\t%u\t%.5g\t%u\t%.4g\t%u\t%.5g\t%.5g\t%.5g",
+        kind->name, n, count, (double)n / count, depth_of(pieces, 0),
         (double)counts.tasks / n, given_up,
-        (double)counts.distances / n, predict_from_counts(&pieces),
-        predict_from_density(&pieces, kind, 1));
-    workspace_free(&workspace);
-    forget();
+        (double)counts.distances / n, predict_from_counts(pieces),
+        predict_from_density(pieces, kind->name, 1));
 }
 
 int main(int argc, char **argv)
 {
-    struct experiment e = experiment_begin(argc, argv);
-    uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
-    columns(&e, "name n pieces points depth asked given_up distances "
-                "predicted from_density");
-    for (int d = 0; d < distribution_count; d++)
-        print_kind(distributions[d].name, n);
+    cut_all_kinds(argc, argv,
+                  "name n pieces points depth asked given_up distances "
+                  "predicted from_density",
+                  print_kind);
     return 0;
 }

@@ -1,9 +1,10 @@
-//> Ask all pieces about a point
-#include "ch11-crowds/ask_pieces.h"
+//> Search all pieces for one point
+#include "ch11-crowds/point_search.h"
 #include "ch09-row-spans/span_kernels.h"
 
-//> Ask all pieces
-// Some points that are next to the query in memory are not far away.
+//> Begin and end a search for one point
+// Points that are next to the query in memory are in its cell or in
+// the next ones: so many on either side.
 enum { BESIDE = 4 };
 
 struct piece_query query_for(const struct scene *all,
@@ -42,7 +43,7 @@ struct scene scene_of(const struct question *question,
 }
 //<
 
-//> Ask for one point
+//> Search near or far for one point
 struct neighbor nearest_of_all(const struct scene *all,
                                const struct pieces *pieces, uint32_t s,
                                uint64_t most, struct counts *counts)

@@ -1,4 +1,5 @@
-//> Declare how all pieces are asked
+//> Declare the search for one point
+// The neighbor of one point, searched for in all pieces.
 #pragma once
 #include "ch09-row-spans/batch_search.h"
 #include "ch11-crowds/piece_query.h"
@@ -7,8 +8,8 @@
 struct scene scene_of(const struct question *question,
                       const struct pieces *pieces);
 
-// Asks all pieces for the neighbor of sorted point s. The nearest gives
-// up after so many steps, with NO_INDEX.
+// Searches all pieces for the neighbor of sorted point s. The nearest
+// gives up after so many steps, with NO_INDEX.
 struct neighbor nearest_of_all(const struct scene *all,
                                const struct pieces *pieces, uint32_t s,
                                uint64_t most, struct counts *counts);

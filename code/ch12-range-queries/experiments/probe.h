@@ -1,0 +1,43 @@
+// Asks a structure about many boxes, and says what one costs. Shared by
+// the experiments of this chapter.
+#pragma once
+#include "ch12-range-queries/structures.h"
+#include "common/experiment.h"
+
+enum { MOST_BOXES = 1000, MOST_TRIALS = 25 };
+
+// Points, and boxes to ask about.
+struct probe {
+    struct point_set points;
+    struct range all;
+    uint32_t *found;
+    struct range box[MOST_BOXES];
+};
+
+// n points of a kind in d dimensions, no boxes yet. All but the points
+// belongs to the experiment.
+struct probe *probe_of(const char *kind, uint32_t n, int d);
+void probe_free(struct probe *probe);
+
+// Boxes anywhere whose sides have this share of those of the range; or
+// each around a point, reaching as far as its neighbor of a number.
+void boxes_anywhere(struct probe *probe, double share);
+void boxes_around_points(struct probe *probe, uint32_t neighbors);
+
+// A box, on average; times of several trials. Asks about as many of the
+// boxes as there is time for.
+struct cost {
+    struct summary ns;
+    double found, steps, tested;
+};
+struct cost ask_boxes(struct probe *probe,
+                      const struct structure *structure,
+                      const void *built, int trials);
+
+// A structure with its leaves or cells at the size that is usual.
+struct cost build_and_ask(struct probe *probe,
+                          const struct structure *structure,
+                          int trials);
+
+// All points move by up to this, along each coordinate.
+void move_points(struct probe *probe, double most);

@@ -1,0 +1,61 @@
+//> Use the structures
+// By name; and for all points, in an order in which what one query has
+// brought into the caches is what the next one needs.
+#include "ch12-range-queries/structures.h"
+#include <assert.h>
+#include <string.h>
+
+//> Find a structure
+const struct structure *find_structure(const char *name)
+{
+    for (int row = 0; row < structure_count; row++)
+        if (strcmp(structures[row].name, name) == 0)
+            return &structures[row];
+    return NULL;
+}
+//<
+
+//> Bring a structure in line
+void *structure_update(const struct structure *structure, void *built,
+                       const struct point_set *points, int threads)
+{
+    if (structure->update) {
+        structure->update(built, points);
+        return built;
+    }
+    structure->discard(built);
+    return structure->build(points, threads);
+}
+//<
+
+//> Ask for one of all points
+static void ask(const struct structure *structure, const void *built,
+                uint32_t s, struct neighbors *query)
+{
+    const struct sorted_points *sorted = structure->walk_order(built);
+    double place[MOST_DIMENSIONS];
+    for (int k = 0; k < sorted->points.d; k++)
+        place[k] = sorted->points.x[k][s];
+    query->place = place;
+    query->self = sorted->index[s];
+    want_nearest(query, query->k);
+    structure->neighbors(built, query);
+    assert(query->count == query->k && "there are more points");
+}
+//<
+
+void k_nearest_of_all(const struct structure *structure,
+                      const void *built, uint32_t k, int threads,
+                      uint32_t *nearest, double *nearest2)
+{
+    assert(structure->walk_order && "it finds neighbors");
+    const struct sorted_points *sorted = structure->walk_order(built);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+    for (uint32_t s = 0; s < sorted->points.n; s++) {
+        const size_t to = (size_t)sorted->index[s] * k;
+        struct neighbors query = {
+            .k = k, .point = nearest + to, .distance2 = nearest2 + to};
+        ask(structure, built, s, &query);
+    }
+}
+//<

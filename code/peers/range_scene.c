@@ -1,0 +1,61 @@
+// See range_scene.h.
+#include "peers/range_scene.h"
+#include "ch12-range-queries/generate_set.h"
+#include "common/experiment.h"
+#include <math.h>
+
+// The distance is that at which half of the points have K within it.
+static int compare_doubles(const void *one, const void *other)
+{
+    const double a = *(const double *)one, b = *(const double *)other;
+    return (a > b) - (a < b);
+}
+
+static void choose_distance(struct range_scene *scene)
+{
+    const uint32_t n = scene->points.n;
+    const struct structure *s = find_structure("kd-tree");
+    void *built = s->build(&scene->points, 1);
+    k_nearest_of_all(s, built, K, 1, scene->nearest, scene->right2);
+    s->discard(built);
+    for (uint32_t i = 0; i < n; i++)
+        scene->distance2[i] = scene->right2[(size_t)i * K + K - 1];
+    qsort(scene->distance2, n, sizeof(double), compare_doubles);
+    // A little more, since libraries differ on whether it belongs to
+    // it.
+    scene->distance = sqrt(scene->distance2[n / 2]) * (1 + 1e-9);
+}
+
+// Around points; four times as wide as the distance.
+static void draw_boxes(struct range_scene *scene)
+{
+    const struct point_set *p = &scene->points;
+    struct random random = {17};
+    for (uint32_t q = 0; q < BOXES; q++) {
+        const uint32_t i = random_bits(&random) % p->n;
+        double *row = scene->box + (size_t)q * 2 * p->d;
+        for (int k = 0; k < p->d; k++) {
+            row[k] = p->x[k][i] - 2 * scene->distance;
+            row[p->d + k] = p->x[k][i] + 2 * scene->distance;
+        }
+    }
+}
+
+struct range_scene range_scene_of(const char *kind, uint32_t n, int d)
+{
+    struct range_scene scene = {
+        generate_set(find_distribution(kind), n, d, 1)};
+    scene.row = take((size_t)n * d, sizeof(double));
+    for (int k = 0; k < d; k++)
+        for (uint32_t i = 0; i < n; i++)
+            scene.row[(size_t)i * d + k] = scene.points.x[k][i];
+    scene.box = take((size_t)BOXES * 2 * d, sizeof(double));
+    scene.nearest = take((size_t)n * K, sizeof(uint32_t));
+    scene.nearest2 = take((size_t)n * K, sizeof(double));
+    scene.right2 = take((size_t)n * K, sizeof(double));
+    scene.found = take(n, sizeof(uint32_t));
+    scene.distance2 = take(n, sizeof(double));
+    choose_distance(&scene);
+    draw_boxes(&scene);
+    return scene;
+}

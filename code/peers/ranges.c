@@ -1,0 +1,207 @@
+// Questions about ranges by the structures of chapter 12 and by two
+// libraries, one thread: the time to build, and for each query the time
+// to find the 8 nearest, all within a distance that has about as many,
+// and the points in boxes. POINTS points in two and three dimensions;
+// each point asks. The answers are compared.
+//     ranges [POINTS [TRIALS]]
+#include "ch12-range-queries/structures.h"
+#include "common/experiment.h"
+#include "peers/range_peer.h"
+#include "peers/range_scene.h"
+#include <inttypes.h>
+#include <math.h>
+
+enum { MOST_TRIALS = 20 };
+
+static const char *const kinds[] = {"uniform", "clustered", "kuzmin"};
+static const char *const ours[] = {"kd-tree", "cells",
+                                   "orthotree-compressed"};
+static const struct range_peer *const peers[] = {&range_nanoflann,
+                                                 &range_boost};
+
+enum task { BUILD, NEAREST_ONES, ALL_WITHIN, IN_BOXES, QUESTIONS };
+
+struct run {
+    double ns[QUESTIONS]; // each, but building is of all; 0: not asked
+    uint64_t within, in_boxes;
+};
+
+static struct range box_of_row(const double *row, int d)
+{
+    struct range range = {0};
+    memcpy(range.low, row, d * sizeof *row);
+    memcpy(range.high, row + d, d * sizeof *row);
+    return range;
+}
+
+static uint64_t within_ours(const struct structure *s,
+                            const void *built, struct range_scene *scene)
+{
+    const struct sorted_points *sorted = s->walk_order(built);
+    uint64_t count = 0;
+    for (uint32_t i = 0; i < sorted->points.n; i++) {
+        double place[MOST_DIMENSIONS];
+        for (int k = 0; k < sorted->points.d; k++)
+            place[k] = sorted->points.x[k][i];
+        struct neighbors query = {.place = place,
+                                  .self = NO_INDEX,
+                                  .point = scene->found,
+                                  .distance2 = scene->distance2};
+        want_within(&query, scene->distance);
+        s->neighbors(built, &query);
+        count += query.count;
+    }
+    return count;
+}
+
+static uint64_t boxes_ours(const struct structure *s, const void *built,
+                           const struct range_scene *scene)
+{
+    const int d = scene->points.d;
+    uint64_t count = 0;
+    for (uint32_t q = 0; q < BOXES; q++) {
+        const struct range range =
+            box_of_row(scene->box + (size_t)q * 2 * d, d);
+        struct report report = {scene->found};
+        s->query(built, &range, &report);
+        count += report.count;
+    }
+    return count;
+}
+
+static struct run run_ours(const struct structure *s,
+                           struct range_scene *scene)
+{
+    const double n = scene->points.n;
+    struct run run = {0};
+    int64_t start = clock_ns();
+    void *built = s->build(&scene->points, 1);
+    run.ns[BUILD] = clock_ns() - start;
+    if (s->neighbors) {
+        start = clock_ns();
+        k_nearest_of_all(s, built, K, 1, scene->nearest,
+                         scene->nearest2);
+        run.ns[NEAREST_ONES] = (clock_ns() - start) / n;
+        start = clock_ns();
+        run.within = within_ours(s, built, scene);
+        run.ns[ALL_WITHIN] = (clock_ns() - start) / n;
+    }
+    start = clock_ns();
+    run.in_boxes = boxes_ours(s, built, scene);
+    run.ns[IN_BOXES] = (clock_ns() - start) / (double)BOXES;
+    s->discard(built);
+    return run;
+}
+
+static struct run run_peer(const struct range_peer *peer,
+                           struct range_scene *scene)
+{
+    const double n = scene->points.n;
+    struct run run = {0};
+    int64_t start = clock_ns();
+    void *built =
+        peer->build(scene->row, scene->points.n, scene->points.d);
+    run.ns[BUILD] = clock_ns() - start;
+    start = clock_ns();
+    peer->nearest(built, K, scene->nearest, scene->nearest2);
+    run.ns[NEAREST_ONES] = (clock_ns() - start) / n;
+    start = clock_ns();
+    run.within = peer->within(built, scene->distance);
+    run.ns[ALL_WITHIN] = (clock_ns() - start) / n;
+    if (peer->boxes) {
+        start = clock_ns();
+        run.in_boxes = peer->boxes(built, scene->box, BOXES);
+        run.ns[IN_BOXES] = (clock_ns() - start) / (double)BOXES;
+    }
+    peer->discard(built);
+    return run;
+}
+
+// Libraries may have rounded differently.
+static void compare(const char *name, const struct run *run,
+                    struct range_scene *scene)
+{
+    const size_t count = (size_t)scene->points.n * K;
+    for (size_t i = 0; run->ns[NEAREST_ONES] > 0 && i < count; i++)
+        if (fabs(scene->nearest2[i] - scene->right2[i]) >
+            1e-12 * scene->right2[i])
+            fail("%s: neighbor %zu of point %zu is at %.17g, and not "
+                 "at %.17g (squared)",
+                 name, i % K, i / K, sqrt(scene->nearest2[i]),
+                 sqrt(scene->right2[i]));
+    if (run->ns[ALL_WITHIN] > 0 &&
+        fabs((double)run->within - scene->within) >
+            1e-6 * scene->within)
+        fail("%s: %" PRIu64 " points within %g, and not %" PRIu64, name,
+             run->within, scene->distance, scene->within);
+    if (run->ns[IN_BOXES] > 0 && run->in_boxes != scene->in_boxes)
+        fail("%s: %" PRIu64 " points in boxes, and not %" PRIu64, name,
+             run->in_boxes, scene->in_boxes);
+}
+
+// One of the two is NULL.
+struct program {
+    const struct structure *structure;
+    const struct range_peer *peer;
+};
+
+static void print_program(struct program program, const char *kind,
+                          struct range_scene *scene, int trials)
+{
+    const char *name =
+        program.peer ? program.peer->name : program.structure->name;
+    double ns[QUESTIONS][MOST_TRIALS];
+    for (int trial = -1; trial < trials; trial++) {
+        const struct run run = program.peer
+                                   ? run_peer(program.peer, scene)
+                                   : run_ours(program.structure, scene);
+        compare(name, &run, scene);
+        for (int q = 0; q < QUESTIONS && trial >= 0; q++)
+            ns[q][trial] = run.ns[q];
+    }
+    row_begin("%s_%s_%d\t%s\t%s\t%d\t%u", name, kind, scene->points.d,
+              name, kind, scene->points.d, scene->points.n);
+    for (int q = 0; q < QUESTIONS; q++) {
+        const struct summary summary = summarize(ns[q], trials);
+        row_times(&summary, q == BUILD ? scene->points.n : 1);
+    }
+    row_end();
+}
+
+// The first structure's answers are taken to be right.
+static void take_as_right(struct range_scene *scene)
+{
+    const struct run run = run_ours(find_structure(ours[0]), scene);
+    scene->within = run.within;
+    scene->in_boxes = run.in_boxes;
+}
+
+// Cells take hours where one of them has most of a million points.
+static bool is_bearable(const char *name, const char *kind)
+{
+    return strcmp(name, "cells") != 0 || strcmp(kind, "kuzmin") != 0;
+}
+
+int main(int argc, char **argv)
+{
+    struct experiment e = experiment_begin(argc, argv);
+    const uint32_t n = parameter(&e, "POINTS", 10000, 100, MANY);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    columns(&e, "name program kind d n build:3 nearest:3 within:3 "
+                "boxes:3");
+    for (int d = 2; d <= 3; d++)
+        for (int kind = 0; kind < COUNT_OF(kinds); kind++) {
+            struct range_scene scene = range_scene_of(kinds[kind], n, d);
+            take_as_right(&scene);
+            for (int k = 0; k < COUNT_OF(ours); k++)
+                if (is_bearable(ours[k], kinds[kind]))
+                    print_program(
+                        (struct program){find_structure(ours[k]), NULL},
+                        kinds[kind], &scene, trials);
+            for (int k = 0; k < COUNT_OF(peers); k++)
+                print_program((struct program){NULL, peers[k]},
+                              kinds[kind], &scene, trials);
+            point_set_free(&scene.points);
+            forget();
+        }
+}

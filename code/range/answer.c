@@ -1,0 +1,144 @@
+// Each thread has room for all points; what a query found is copied.
+#include "range/answer.h"
+#include "common/allocate.h"
+#include "common/min_max.h"
+#include "common/points.h"
+#include <stdlib.h>
+#include <string.h>
+
+void place_of_query(const struct task *task, uint32_t q,
+                    double place[MOST_DIMENSIONS])
+{
+    const struct queries *queries = &task->queries;
+    for (int k = 0; k < task->points.d; k++)
+        place[k] = queries->cell
+                       ? queries->cell[(size_t)q * queries->columns + k]
+                       : task->points.x[k][q];
+}
+
+struct range range_of_query(const struct task *task, uint32_t q)
+{
+    const int d = task->points.d;
+    const double *row =
+        task->queries.cell + (size_t)q * task->queries.columns;
+    struct range range = {0};
+    for (int k = 0; k < d; k++) {
+        range.low[k] = row[k];
+        range.high[k] = row[d + k];
+    }
+    return range;
+}
+
+uint32_t self_of_query(const struct task *task, uint32_t q)
+{
+    return task->queries.cell ? NO_INDEX : q;
+}
+
+// Room for what one query finds.
+struct room {
+    uint32_t *point;
+    double *distance2;
+};
+
+static int by_index(const void *one, const void *other)
+{
+    const uint32_t a = *(const uint32_t *)one;
+    const uint32_t b = *(const uint32_t *)other;
+    return (a > b) - (a < b);
+}
+
+static uint32_t answer_box(const struct task *task, uint32_t q,
+                           const struct room *room,
+                           struct totals *totals)
+{
+    const struct range range = range_of_query(task, q);
+    struct report report = {room->point};
+    task->structure->query(task->built, &range, &report);
+    totals->steps += report.steps;
+    totals->tested += report.tested;
+    return report.count;
+}
+
+static uint32_t answer_place(const struct task *task, uint32_t q,
+                             const struct room *room,
+                             struct totals *totals)
+{
+    double place[MOST_DIMENSIONS];
+    place_of_query(task, q, place);
+    struct neighbors query = {.place = place,
+                              .self = self_of_query(task, q),
+                              .point = room->point,
+                              .distance2 = room->distance2};
+    if (task->options->wish == WITHIN)
+        want_within(&query, task->options->distance);
+    else
+        want_nearest(&query, MIN(task->options->k, task->points.n));
+    task->structure->neighbors(task->built, &query);
+    totals->steps += query.steps;
+    totals->tested += query.tested;
+    return query.count;
+}
+
+// In the order in which it is written.
+static struct answer keep(const struct task *task,
+                          const struct room *room, uint32_t count)
+{
+    const bool boxes = task->options->wish == BOXES;
+    struct answer answer = {count, allocate(count, sizeof(uint32_t)),
+                            boxes ? NULL
+                                  : allocate(count, sizeof(double))};
+    memcpy(answer.point, room->point, count * sizeof *answer.point);
+    if (boxes) {
+        qsort(answer.point, count, sizeof *answer.point, by_index);
+        return answer;
+    }
+    memcpy(answer.distance2, room->distance2,
+           count * sizeof *answer.distance2);
+    struct neighbors found = {.count = count,
+                              .point = answer.point,
+                              .distance2 = answer.distance2};
+    if (task->options->wish == WITHIN)
+        sort_neighbors(&found);
+    return answer;
+}
+
+void answer_batch(const struct task *task, uint32_t first,
+                  uint32_t last, struct answer *answer,
+                  struct totals *totals)
+{
+    uint64_t found = 0, steps = 0, tested = 0;
+    const bool boxes = task->options->wish == BOXES;
+    const uint32_t n = task->points.n;
+#pragma omp parallel num_threads(task->threads) \
+    reduction(+ : found, steps, tested)
+    {
+        struct room room = {allocate(n, sizeof(uint32_t)),
+                            boxes ? NULL : allocate(n, sizeof(double))};
+        struct totals mine = {0};
+#pragma omp for schedule(dynamic, 16)
+        for (uint32_t q = first; q < last; q++) {
+            const uint32_t count =
+                boxes ? answer_box(task, q, &room, &mine)
+                      : answer_place(task, q, &room, &mine);
+            mine.found += count;
+            if (answer)
+                answer[q - first] = keep(task, &room, count);
+        }
+        found = mine.found;
+        steps = mine.steps;
+        tested = mine.tested;
+        free(room.point);
+        free(room.distance2);
+    }
+    totals->found += found;
+    totals->steps += steps;
+    totals->tested += tested;
+}
+
+void answers_release(struct answer *answer, uint32_t count)
+{
+    for (uint32_t k = 0; k < count; k++) {
+        free(answer[k].point);
+        free(answer[k].distance2);
+    }
+}

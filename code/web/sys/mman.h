@@ -1,0 +1,2 @@
+// Memory has no pages to ask for here: nothing to declare.
+#pragma once

@@ -1,0 +1,96 @@
+// Tests of the rank: the answer, against the numbers themselves, and
+// how often two were compared.
+#include "common/random.h"
+#include "exercise.h"
+#include "kit.h"
+#include <math.h>
+#include <stdlib.h>
+
+static uint32_t n, *value, *room, *found;
+static uint64_t *asked;
+
+bool is_less(uint32_t a, uint32_t b)
+{
+    ++*asked;
+    return value[a] < value[b];
+}
+
+// The numbers 0 to n - 1 in a random order.
+static void prepare(uint32_t count, uint64_t seed)
+{
+    struct random random = {seed};
+    kit_next_case();
+    n = count;
+    value = kit_input("the numbers", n, sizeof *value);
+    room = kit_output("room", 2 * (size_t)n, sizeof *room);
+    found = kit_output("the answer", 1, sizeof *found);
+    asked = kit_output("the count", 1, sizeof *asked);
+    for (uint32_t k = 0; k < n; k++)
+        value[k] = k;
+    for (uint32_t k = n - 1; k > 0; k--) {
+        const uint32_t other = random_bits(&random) % (k + 1);
+        const uint32_t swap = value[k];
+        value[k] = value[other];
+        value[other] = swap;
+    }
+}
+
+static void ask(uint32_t rank)
+{
+    kit_given("%u numbers, rank %u", n, rank);
+    CALL(*asked = 0; *found = STUDENT(number_of_rank)(n, rank, room));
+    if (*found >= n)
+        WRONG(.expected = kit_text("a number below %u", n),
+              .found = kit_text("%u", *found),
+              .cause = "Was the room read where nothing was written?");
+    if (value[*found] != rank)
+        WRONG(.expected = kit_text("the number of rank %u", rank),
+              .found = kit_text("that of rank %u", value[*found]),
+              .cause = labs((long)value[*found] - (long)rank) == 1
+                           ? "It is next to it: ranks begin at 0, and "
+                             "the pivot has one, too."
+                           : "Were those counted that are below what "
+                             "was kept?");
+}
+
+static void few(uint64_t seed)
+{
+    for (uint32_t count = 1; count < 40; count++) {
+        prepare(count, seed + count);
+        for (uint32_t rank = 0; rank < count; rank++)
+            ask(rank);
+    }
+}
+
+static void many(uint64_t seed)
+{
+    for (int trial = 0; trial < 40; trial++) {
+        prepare(3000, seed + trial);
+        ask(trial < 3   ? (uint32_t)trial
+            : trial < 6 ? 2999 - (uint32_t)trial
+                        : 75 * (uint32_t)trial);
+    }
+}
+
+static void count(uint64_t seed)
+{
+    double sum = 0;
+    for (int trial = 0; trial < 10; trial++) {
+        prepare(30000, seed + trial);
+        ask(n / 2);
+        sum += (double)*asked / n;
+    }
+    kit_bands(sum / 10, (struct kit_band[]){{3, 6}, {6, 3}, {0, 0}},
+              (struct kit_fault){
+                  .expected = "at most 3 n questions",
+                  .found = kit_text("%.1f n", sum / 10),
+                  .cause = "Two bounds from a sample leave little to "
+                           "search."});
+}
+
+const struct kit_test kit_tests[] = {
+    {"few", 2, "every rank of few numbers", few},
+    {"many", 2, "ranks of 3,000 numbers, the first and last too", many},
+    {"count", 6, "few questions", count},
+    {0},
+};
