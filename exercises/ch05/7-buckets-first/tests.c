@@ -167,7 +167,7 @@ static void in_time(uint64_t seed)
     double ratio =
         kit_race((struct kit_race){theirs, ours, .cores = 1});
     kit_bands(
-        ratio, (struct kit_band[]){{1.8, 6}, {2.3, 4}, {2.6, 2}, {0, 0}},
+        ratio, (struct kit_band[]){{1.8, 6}, {2.1, 4}, {2.4, 2}, {0, 0}},
         (struct kit_fault){
             .expected = "at most 1.8 times the time of moving all "
                         "points twice, in streams",
