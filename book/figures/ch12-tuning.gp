@@ -13,7 +13,7 @@ set xtics (2, 4, 8, 16, 32, 64, 128)
 set format y powers
 set xlabel "points in a leaf or a cell"
 set ylabel "nanoseconds a query"
-set key top left
+set key outside right top Left reverse
 set datafile missing NaN
 plot for [name in "kd-tree cells cells-halves"] \
   table using "size":(of(name, column("small"))) title name . ", small boxes", \

@@ -14,11 +14,6 @@ static const double limit = 25000;
 
 static const char *const ours[] = {"by-sample", "adaptive",
                                    "row-spans"};
-static const char *const kinds[] = {
-    "uniform", "clustered",    "kuzmin", "log-normal", "pareto",
-    "circle",  "two-clusters", "towns",  "half-equal", "outlier"};
-enum { KINDS = COUNT_OF(kinds) };
-
 static void compete_for(struct points points,
                         const struct occasion *occasion,
                         const struct rules *rules,
@@ -58,13 +53,14 @@ int main(int argc, char **argv)
     contenders = contenders_of(ours, COUNT_OF(ours));
     print_head(&e);
     for (uint64_t n = FEWEST; n <= largest; n *= 10)
-        for (int kind = 0; kind < KINDS; kind++) {
-            const struct occasion occasion = {kinds[kind], "unordered",
+        for (int kind = 0; kind < distribution_count; kind++) {
+            const struct distribution *d = &distributions[kind];
+            const struct occasion occasion = {d->name, "unordered",
                                               kind};
-            compete_for(generate(find_distribution(kinds[kind]), n, 1),
-                        &occasion, &rules, &contenders);
+            compete_for(generate(d, n, 1), &occasion, &rules,
+                        &contenders);
         }
     for (int file = files; file < argc; file++)
-        compete_for_file(argv[file], KINDS + file - files, &rules,
-                         &contenders);
+        compete_for_file(argv[file], distribution_count + file - files,
+                         &rules, &contenders);
 }
