@@ -19,7 +19,7 @@
 #include "ch10-furthest/furthest_hull.h"
 #include "ch10-furthest/near_and_far.h"
 #include "ch11-crowds/adaptive.h"
-#include "ch11-crowds/evenness.h"
+#include "ch11-crowds/by_sample.h"
 #include "common/fail.h"
 #include <string.h>
 

@@ -116,30 +116,43 @@ static void furthest_among(const struct question *question,
 }
 //<
 
+//> Search what is in cells
+void search_near_and_far(const struct question *question,
+                         const struct partition *partition,
+                         struct answers *answers)
+{
+    struct workspace *workspace = question->workspace;
+    if (question->space.geometry == WRAPAROUND) {
+        search_both_in_batches(question, partition, workspace, answers);
+        return;
+    }
+    search_row_spans(question, partition, workspace, answers);
+    if (answers->furthest)
+        furthest_among(
+            question,
+            corners_of_sorted(question, &partition->sorted, workspace),
+            answers);
+}
+//<
+
 //> Partition once for both
 // As for the nearest alone.
-static const double per_cell = 2;
+struct partition partition_for_both(const struct question *question,
+                                    const struct answers *answers)
+{
+    const bool two = question->space.geometry == WRAPAROUND &&
+                     answers->nearest && answers->furthest;
+    return partition_make(question, PER_CELL_FOR_BOTH,
+                          two ? RESTORE_TWO : RESTORE,
+                          question->workspace);
+}
 
 static void partition_and_search(const struct question *question,
                                  struct answers *answers)
 {
-    struct workspace *workspace = question->workspace;
-    const bool wraps = question->space.geometry == WRAPAROUND;
-    const bool both = answers->nearest && answers->furthest;
-    struct partition partition = partition_make(
-        question, per_cell, wraps && both ? RESTORE_TWO : RESTORE,
-        workspace);
-    if (wraps) {
-        search_both_in_batches(question, &partition, workspace,
-                               answers);
-        return;
-    }
-    search_row_spans(question, &partition, workspace, answers);
-    if (answers->furthest)
-        furthest_among(
-            question,
-            corners_of_sorted(question, &partition.sorted, workspace),
-            answers);
+    const struct partition partition =
+        partition_for_both(question, answers);
+    search_near_and_far(question, &partition, answers);
 }
 //<
 

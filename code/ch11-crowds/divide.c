@@ -192,10 +192,9 @@ static uint32_t gather(struct place *place, struct points p,
                                   NO_INDEX, NO_INDEX, false};
     qsort(place, p.n, sizeof *place, from_left);
     for (uint32_t k = 0; k < p.n; k++) {
-        struct place *last = &place[count - 1];
+        struct place *last = &place[count - (count > 0)];
         const uint32_t i = place[k].lowest;
-        if (count > 0 && place[k].x == last->x &&
-            place[k].y == last->y) {
+        if (k > 0 && place[k].x == last->x && place[k].y == last->y) {
             last->second = MIN(i, last->second);
             last->best2 = 0;
         } else {

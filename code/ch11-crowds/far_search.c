@@ -112,13 +112,13 @@ static void search_and_restore(struct far_search search,
 // average over a sample.
 enum { SAMPLE = 1024 };
 
-static double length_of_lists(const struct far_search *search,
+static double length_of_lists(const struct question *question,
+                              struct points all,
                               const struct corners *corners,
-                              const struct candidate_grid *grid,
-                              struct workspace *workspace)
+                              const struct candidate_grid *grid)
 {
-    const struct points all = search->pieces->sorted.points;
     const uint32_t n = MIN(all.n, SAMPLE);
+    struct workspace *workspace = question->workspace;
     struct mark mark = workspace_mark(workspace);
     const struct points sample = corners_take(n, workspace).points;
     struct answers answers = {
@@ -130,33 +130,28 @@ static double length_of_lists(const struct far_search *search,
         sample.x[k] = all.x[s];
         sample.y[k] = all.y[s];
     }
-    const struct question question = {sample, search->question->space,
-                                      1, &counts};
-    search_candidate_grid(&question, corners, grid, &answers);
+    const struct question some = {sample, question->space, 1, &counts};
+    search_candidate_grid(&some, corners, grid, &answers);
     workspace_release(workspace, mark);
     return (double)counts.distances / n;
 }
 //<
 
 //> Search for the furthest corner
-// In the candidate grid if there are not too many corners, and if the
-// lists are short where most points are.
-static bool search_few(const struct far_search *search,
-                       struct corners corners,
-                       struct workspace *workspace,
-                       struct answers *answers)
+bool search_few_corners(const struct question *question,
+                        struct points all, struct corners corners,
+                        struct answers *answers)
 {
     enum { MANY_CORNERS = 1024 };
     const double short_list = PER_ARC;
     if (corners.points.n > MANY_CORNERS)
         return false;
-    corners = corners_by_index(corners, workspace);
+    corners = corners_by_index(corners, question->workspace);
     const struct candidate_grid grid = candidate_grid_make(
-        &corners, search->question->points.n, workspace);
-    if (length_of_lists(search, &corners, &grid, workspace) >
-        short_list)
+        &corners, question->points.n, question->workspace);
+    if (length_of_lists(question, all, &corners, &grid) > short_list)
         return false;
-    search_candidate_grid(search->question, &corners, &grid, answers);
+    search_candidate_grid(question, &corners, &grid, answers);
     return true;
 }
 
@@ -168,7 +163,8 @@ static void search_corners_of(const struct far_search *search,
     const struct corners corners = corners_from_left(
         (struct corners){sorted->points, sorted->cells.point},
         search->question->threads, workspace);
-    if (!search_few(search, corners, workspace, answers)) {
+    if (!search_few_corners(search->question, sorted->points, corners,
+                            answers)) {
         const struct arcs arcs = arcs_make(&corners, workspace);
         struct far_search by_arcs = *search;
         by_arcs.arcs = &arcs;

@@ -5,8 +5,8 @@
 #include "algorithms.h"
 #include "ch11-crowds/adaptive.h"
 #include "ch11-crowds/arcs.h"
+#include "ch11-crowds/by_sample.h"
 #include "ch11-crowds/divide.h"
-#include "ch11-crowds/evenness.h"
 #include "ch11-crowds/experiments/predict.h"
 #include "ch11-crowds/grow.h"
 #include "ch11-crowds/piece_search.h"
@@ -600,47 +600,109 @@ static void bad_cuts_end(void)
 }
 
 // ---- who decides ---------------------------------------------------
+static const char *choice(struct points points, unsigned answered)
+{
+    struct question question = question_of(points, STANDARD, 1);
+    struct answers found = answers_for(points.n, answered);
+    const char *by = "none";
+    question.by = &by;
+    by_sample(&question, &found);
+    answers_free(&found);
+    return by;
+}
+
 static void even_points_get_a_grid(void)
 {
-    static const char *const even[] = {"uniform", "lattice", "doubled"};
+    static const char *const even[] = {"uniform", "clustered",
+                                       "lattice", "doubled", "thin"};
     const uint32_t sizes[] = {5000, 100000};
     for (int d = 0; d < distribution_count; d++)
         for (int k = 0; k < 2; k++) {
             const char *name = distributions[d].name;
             struct points points =
                 generate(&distributions[d], sizes[k], 9);
-            struct question question = question_of(points, STANDARD, 1);
-            struct answers found = answers_for(points.n, NEAREST);
-            bool expected = strcmp(name, "thin") == 0;
-            for (int e = 0; e < 3; e++)
+            bool expected = false;
+            for (int e = 0; e < 5; e++)
                 expected |= strcmp(name, even[e]) == 0;
-            const char *by = "none";
-            question.by = &by;
-            by_sample(&question, &found);
-            CHECK_TEXT(expected ? "near-and-far" : "adaptive", by,
-                       "%u %s points", points.n, name);
-            answers_free(&found);
+            CHECK_TEXT(expected ? "near-and-far" : "adaptive",
+                       choice(points, NEAREST), "%u %s points",
+                       points.n, name);
             points_free(&points);
         }
+}
+
+// A crowd in each coarse cell of the sample, which finds them even.
+static struct points lattice_of_crowds(uint32_t n, int side)
+{
+    struct random random = {5};
+    struct points points = points_allocate(n);
+    for (uint32_t i = 0; i < n; i++) {
+        const int crowd = i % (side * side);
+        points.x[i] =
+            (crowd % side + 1e-3 * random_uniform(&random)) / side;
+        points.y[i] =
+            (crowd / side + 1e-3 * random_uniform(&random)) / side;
+    }
+    return points;
+}
+
+// A disc of even points, and a tenth of all on its rim: all corners.
+static struct points rimmed_disc(uint32_t n)
+{
+    struct random random = {6};
+    struct points points = points_allocate(n);
+    for (uint32_t i = 0; i < n; i++) {
+        const double angle = 2 * acos(-1) * random_uniform(&random);
+        const double radius =
+            i % 10 == 0 ? 1 : 0.999 * sqrt(random_uniform(&random));
+        points.x[i] = radius * cos(angle);
+        points.y[i] = radius * sin(angle);
+    }
+    return points;
+}
+
+static void what_deceives_the_sample(void)
+{
+    struct points crowds = lattice_of_crowds(100000, 16);
+    CHECK_TEXT("adaptive", choice(crowds, NEAREST),
+               "what the sample lets pass is counted");
+    points_free(&crowds);
+    double each[2];
+    for (int k = 0; k < 2; k++) {
+        struct points disc = rimmed_disc(k ? 200000 : 50000);
+        CHECK_TEXT("near-and-far", choice(disc, NEAREST), "a disc");
+        each[k] = distances("by-sample", question_of(disc, STANDARD, 1),
+                            NEAREST | FURTHEST);
+        points_free(&disc);
+    }
+    CHECK(each[1] < 1.5 * each[0], "%.1f and %.1f distances", each[0],
+          each[1]);
+    struct points few = rimmed_disc(3000);
+    check_points("rimmed disc", few);
+    points_free(&few);
+}
+
+static void check_memory(search_function *search, struct points points)
+{
+    struct question question = question_of(points, WRAPAROUND, 2);
+    struct workspace workspace = {0};
+    question.workspace = &workspace;
+    struct answers found = answers_for(points.n, NEAREST | FURTHEST);
+    search(&question, &found);
+    const struct workspace before = workspace;
+    search(&question, &found);
+    CHECK(memcmp(&before, &workspace, sizeof before) == 0,
+          "the workspace is what it was");
+    answers_free(&found);
+    workspace_free(&workspace);
 }
 
 static void a_second_answer_takes_no_memory(void)
 {
     for (int d = 0; d < distribution_count; d++) {
         struct points points = generate(&distributions[d], 20000, 9);
-        struct question question = question_of(points, WRAPAROUND, 2);
-        struct workspace workspace = {0};
-        question.workspace = &workspace;
-        struct answers found =
-            answers_for(points.n, NEAREST | FURTHEST);
-        adaptive(&question, &found);
-        const struct workspace before = workspace;
-        adaptive(&question, &found);
-        CHECK(memcmp(&before, &workspace, sizeof before) == 0,
-              "%s: the workspace is what it was",
-              distributions[d].name);
-        answers_free(&found);
-        workspace_free(&workspace);
+        check_memory(adaptive, points);
+        check_memory(by_sample, points);
         points_free(&points);
     }
 }
@@ -655,5 +717,6 @@ int main(void)
         TEST(halves_are_n_log_n), TEST(pieces_hold_all_points),
         TEST(cuts_are_balanced), TEST(no_tree_is_deep),
         TEST(bad_cuts_end), TEST(even_points_get_a_grid),
+        TEST(what_deceives_the_sample),
         TEST(a_second_answer_takes_no_memory));
 }
