@@ -380,7 +380,7 @@ static void nearest_of_each(void)
         void *built = s->build(&bench.points, 2);
         k_nearest_of_all(s, built, K, 3, nearest, nearest2);
         for (uint32_t i = 0; i < n; i += 17) {
-            double place[3];
+            double place[3] = {0};
             for (int k = 0; k < 3; k++)
                 place[k] = bench.points.x[k][i];
             sort_all(&bench.points, place, i, pair);
