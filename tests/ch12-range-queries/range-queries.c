@@ -251,8 +251,8 @@ struct pair {
 static int compare_pairs(const void *one, const void *other)
 {
     const struct pair *a = one, *b = other;
-    const int further = (a->distance2 > b->distance2) -
-                        (a->distance2 < b->distance2);
+    const int further =
+        (a->distance2 > b->distance2) - (a->distance2 < b->distance2);
     return further ? further
                    : (a->point > b->point) - (a->point < b->point);
 }
@@ -380,7 +380,7 @@ static void nearest_of_each(void)
         void *built = s->build(&bench.points, 2);
         k_nearest_of_all(s, built, K, 3, nearest, nearest2);
         for (uint32_t i = 0; i < n; i += 17) {
-            double place[3] = {0};
+            double place[MOST_DIMENSIONS] = {0};
             for (int k = 0; k < 3; k++)
                 place[k] = bench.points.x[k][i];
             sort_all(&bench.points, place, i, pair);
