@@ -13,12 +13,12 @@ of(name, k) = strcol(1) eq name ? column(k) : NaN
 upto(n, p) = strcol(1) eq "cell" && $4 <= n && $6 == p ? column(2) : NaN
 unset tics; unset grid; unset border; unset key
 set size ratio -1
-do for [name in "query first neighbor"] {
+do for [name in "query first neighbor square"] {
   stats table using (of(name, 2)) name name . "_x" nooutput
   stats table using (of(name, 3)) name name . "_y" nooutput
 }
 x = query_x_min; y = query_y_min
-side = sqrt((first_x_min - x)**2 + (first_y_min - y)**2)
+side = square_x_min; tall = square_y_min
 left = floor(x) - 2.2; right = floor(x) + 2.2
 bottom = floor(y) - 1.2; top = floor(y) + 3.2
 set xrange [left:right]; set yrange [bottom:top]
@@ -36,7 +36,7 @@ do for [f = 1:4] {
   set title titles[f]
   unset object
   if (f > 2) {
-    set object 1 rectangle from x - side,y - side to x + side,y + side \
+    set object 1 rectangle from x - side,y - tall to x + side,y + tall \
       fs empty border rgb "black" lw 1.2 dt (4,3) front
   }
   plot table using (upto(n, 1) + 0.5):($3 + 0.5):(0.5):(0.5) \

@@ -11,12 +11,12 @@ of(name, k) = strcol(1) eq name ? column(k) : NaN
 phase(p, k) = strcol(1) eq "cell" && $6 == p ? column(k) : NaN
 unset tics; unset grid; unset border
 set size ratio -1
-do for [name in "cell query first neighbor"] {
+do for [name in "cell query first neighbor square"] {
   stats table using (of(name, 2)) name name . "_x" nooutput
   stats table using (of(name, 3)) name name . "_y" nooutput
 }
 x = query_x_min; y = query_y_min
-side = sqrt((first_x_min - x)**2 + (first_y_min - y)**2)
+side = square_x_min; tall = square_y_min
 home_x = floor(x); home_y = floor(y)
 left = home_x - 2.3; right = home_x + 3.3
 bottom = home_y - 2.3; top = home_y + 3.3
@@ -26,7 +26,7 @@ set xrange [left:right]
 set yrange [bottom:top]
 set key at screen 0.995,0.88 right top Left reverse samplen 1.8 spacing 1.3
 set style fill solid 1 noborder
-set object 1 rectangle from x - side,y - side to x + side,y + side \
+set object 1 rectangle from x - side,y - tall to x + side,y + tall \
   fs empty border rgb "black" lw 1.4 dt (4,3) front
 set for [k = -2:3] arrow from home_x + k,bottom to home_x + k,top \
   nohead ls 10 front
@@ -40,7 +40,7 @@ plot table using (phase(1, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
        with boxxyerror fc rgb "#b9cde4" title "phase one", \
      "" using (phase(2, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
        with boxxyerror fc rgb "#f0d3c2" title "phase two", \
-     "" using (of("cell", 2) + 0.1):($3 + 0.86):(sprintf("%d", $4)) \
+     "" using (of("cell", 2) + 0.07):($3 + 0.46):(sprintf("%d", $4)) \
        with labels left font ",7" textcolor rgb "#444444" notitle, \
      "" using (of("point", 2)):3 \
        with points pt 7 ps 0.4 lc rgb "#555555" title "points", \

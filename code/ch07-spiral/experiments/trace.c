@@ -1,7 +1,8 @@
 // Trace one search, cell by cell: for each cell that it visits its
 // column and row, the layer, the phase, how many points were compared
-// there, and the distance to the best so far, in cells (-: none). Then
-// all points, the query, the nearest of phase one, and the neighbor.
+// there, and the distance to the best so far, in widths of a cell (-:
+// none). Then all points, the query, the nearest of phase one, the
+// neighbor, and D in widths and in heights of a cell.
 // Taken is the first point whose search is worth drawing: phase one
 // ends in layer 1, and phase two goes further and finds a nearer one.
 #include "ch07-spiral/two_phases.h"
@@ -68,12 +69,16 @@ static bool worth_drawing(const struct recorder *r)
            r->query.best2 < last->best2;
 }
 
+static void print_pair(const char *kind, double x, double y)
+{
+    row("%s\t%.6g\t%.6g\t0\t0\t0\t0\t0", kind, x, y);
+}
+
 static void print_mark(const char *kind, const struct grid *grid,
                        double x, double y)
 {
-    row("%s\t%.6g\t%.6g\t0\t0\t0\t0\t0", kind,
-        (x - grid->x.low) * grid->x.scale,
-        (y - grid->y.low) * grid->y.scale);
+    print_pair(kind, (x - grid->x.low) * grid->x.scale,
+               (y - grid->y.low) * grid->y.scale);
 }
 
 static void print_trace(const struct map *map, const struct recorder *r)
@@ -97,6 +102,8 @@ static void print_trace(const struct map *map, const struct recorder *r)
     print_mark("query", grid, r->query.x, r->query.y);
     print_mark("first", grid, p.x[near], p.y[near]);
     print_mark("neighbor", grid, p.x[i], p.y[i]);
+    const double d = sqrt(r->visits[first - 1].best2);
+    print_pair("square", d * grid->x.scale, d * grid->y.scale);
 }
 
 int main(int argc, char **argv)
