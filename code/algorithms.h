@@ -5,6 +5,7 @@
 #pragma once
 #include "common/question.h"
 
+//> Describe an algorithm
 struct algorithm {
     const char *name;    // as in near -a NAME
     int chapter;         // where the book builds it
@@ -14,6 +15,7 @@ struct algorithm {
     const char *about;   // one line
     search_function *run;
 };
+//<
 
 extern const struct algorithm algorithms[];
 extern const int algorithm_count;

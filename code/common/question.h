@@ -8,6 +8,7 @@
 struct workspace;
 struct extent;
 
+//> Put a question
 struct question {
     struct points points;  // n >= 2, all coordinates finite
     struct space space;    // wraparound: the box holds all points
@@ -18,10 +19,12 @@ struct question {
     const char **by;   // the row it was left to, if any; or NULL
     const struct extent *box; // of x and of y, if known; or NULL
 };
+//<
 
 // Notes the time: what is searched has been built.
 void note_built(const struct question *question);
 
+//> Hold the answers
 // Arrays of n, owned by the caller; those of an answer that the
 // algorithm does not give may be NULL. A point is never its own
 // neighbor; a duplicate, at distance 0, is. Ties go to the lowest
@@ -30,6 +33,7 @@ struct answers {
     uint32_t *nearest, *furthest; // index of the neighbor
     double *nearest2, *furthest2; // squared distance to it
 };
+//<
 
 // What answers a question.
 typedef void search_function(const struct question *question,
