@@ -7,14 +7,12 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 
-//> Ask for large pages
+//> Get memory or give up
 // The system hands out memory in pages of 4 KB, when each is touched
 // for the first time. Large arrays want large ones: 2 MB on most
 // machines.
 #define LARGE_PAGE ((size_t)2 << 20)
-//<
 
-//> Get memory or give up
 void *allocate(size_t count, size_t size)
 {
     if (size && count > (SIZE_MAX - LARGE_PAGE) / size)
@@ -25,10 +23,12 @@ void *allocate(size_t count, size_t size)
     void *memory = aligned_alloc(unit, bytes);
     if (!memory)
         fail("no memory for %zu bytes", bytes);
+    //> Ask for large pages
 #ifdef MADV_HUGEPAGE
     if (unit == LARGE_PAGE)
         madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
+    //<
     return memory;
 }
 //<
