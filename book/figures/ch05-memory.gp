@@ -13,7 +13,7 @@ set ylabel "ns a point"
 set xrange [-0.6:4.6]
 set yrange [0:*]
 set bmargin 3
-set key top center
+set key top right
 set xtics scale 0 ("partition,\nfresh" 0, "partition,\nkept" 1, "get small\npages" 2, "get large\npages" 3, "copy" 4)
 at(name) = strstrt(name, "_fresh") ? 0 : strstrt(name, "_partition") ? 1 : \
            strstrt(name, "_small") ? 2 : strstrt(name, "_large") ? 3 : \
