@@ -1,7 +1,9 @@
 // Counts points in random cells, so few that counts and tickets fit
 // into the first cache, and fits a line: so much for a point, so much
-// for a loser. The most cells fill that cache, and are left out. Then counts points of all kinds in their own cells, plainly,
-// by groups and by detecting conflicts, beside what the line predicts.
+// for a loser. (The largest number of cells fills that cache, and is
+// left out of the line.) Then counts points of all kinds in their own
+// cells, plainly, by groups and by detecting conflicts, beside what the
+// line predicts.
 //     bill [POINTS [TRIALS]]
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"
