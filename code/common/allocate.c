@@ -23,6 +23,7 @@ void *allocate(size_t count, size_t size)
     void *memory = aligned_alloc(unit, bytes);
     if (!memory)
         fail("no memory for %zu bytes", bytes);
+
     //> Ask for large pages
 #ifdef MADV_HUGEPAGE
     if (unit == LARGE_PAGE)
