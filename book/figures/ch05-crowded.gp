@@ -14,9 +14,9 @@ set style histogram clustered gap 1.5
 set boxwidth 0.9
 set key outside top center horizontal
 set xtics scale 0 ("uniform" 0, "clustered" 1, "two clusters" 2, "kuzmin" 3, "equal" 4)
-# The kinds stand in the table in this order, five sorts each;
-# the last is the partition in fresh memory.
+# The kinds stand in the table in this order, five sorts each; the last
+# is the partition in fresh memory, as the others have it.
 plot table every 5::0 using "one" lt 6 fs solid 0.25 title "serial, one thread", \
      "" every 5::1 using "all" lt 2 fs pattern 4 title "atomic", \
      "" every 5::2 using "all" lt 3 fs pattern 2 title "private", \
-     "" every 5::3 using "all" lt 1 fs solid 0.75 title "partition"
+     "" every 5::4 using "all" lt 1 fs solid 0.75 title "partition"

@@ -8,13 +8,22 @@
 #include <sys/mman.h>
 
 //> Ask for large pages
+static void ask_for_large_pages(void *memory, size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+    madvise(memory, bytes, MADV_HUGEPAGE);
+#else
+    (void)memory, (void)bytes;
+#endif
+}
+//<
+
+//> Get memory or give up
 // The system hands out memory in pages of 4 KB, when each is touched
 // for the first time. Large arrays want large ones: 2 MB on most
 // machines.
 #define LARGE_PAGE ((size_t)2 << 20)
-//<
 
-//> Get memory or give up
 void *allocate(size_t count, size_t size)
 {
     if (size && count > (SIZE_MAX - LARGE_PAGE) / size)
@@ -25,10 +34,8 @@ void *allocate(size_t count, size_t size)
     void *memory = aligned_alloc(unit, bytes);
     if (!memory)
         fail("no memory for %zu bytes", bytes);
-#ifdef MADV_HUGEPAGE
     if (unit == LARGE_PAGE)
-        madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
+        ask_for_large_pages(memory, bytes);
     return memory;
 }
 //<

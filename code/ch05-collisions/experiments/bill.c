@@ -1,7 +1,9 @@
-// Counts points in random cells, so few that all counts fit into the
-// first cache, and fits a line: so much for a point, so much for a
-// loser. Then counts points of all kinds in their own cells, plainly,
-// by groups and by detecting conflicts, beside what the line predicts.
+// Counts points in random cells, so few that counts and tickets fit
+// into the first cache, and fits a line: so much for a point, so much
+// for a loser. (The largest number of cells fills that cache, and is
+// left out of the line.) Then counts points of all kinds in their own
+// cells, plainly, by groups and by detecting conflicts, beside what the
+// line predicts.
 //     bill [POINTS [TRIALS]]
 #include "ch05-collisions/conflict.h"
 #include "ch05-collisions/groups.h"
@@ -139,7 +141,7 @@ int main(int argc, char **argv)
     for (int kind = 0; kind < KINDS; kind++)
         *row++ = points_row(n, kinds[kind]);
     time_rows(rows, trials);
-    struct line line = fit(rows, SIZES); // with 64 lanes: the first
+    struct line line = fit(rows, SIZES - 1); // 64 lanes, 2,048 cells
     columns(&e, "name cells lanes losers predicted plain:3 groups:3 "
                 "conflicts:3 instructions");
     print_price("point", 0, line.point);

@@ -139,10 +139,9 @@ static void print_trials(const char *name, const struct trial trials[2],
     row_end();
 }
 
-// A sort that follows another, of other sizes, may get memory that the
-// system must first find and clear. So each runs once before it is
-// timed, and finds what it has itself just given back; but the last one
-// gets its memory anew, to show what that costs.
+// All but the partition in its workspace get their large arrays anew
+// from the system each time. Each sort runs once before it is timed, so
+// that it does not depend on what ran before it.
 static void time_kind(const char *kind, uint32_t n, int count)
 {
     struct question question = kind_question(kind, n, 1);
