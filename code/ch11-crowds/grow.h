@@ -33,8 +33,11 @@ static inline uint32_t piece_slots(uint32_t n)
 
 //> Make room for grids
 // Where the borders of a piece begin, and its starts, if before it are
-// so many points and pieces: behind three numbers for four points, as a
-// grid has two cells for three, and some more for each piece.
+// so many points and pieces: behind three numbers for four points, and
+// some more for each piece. A grid of n points has 2 n / 3 + 1/2 cells
+// at most, and if all are in one row, columns and rows are one more;
+// an axis has one border more than that, and is rounded up by 7 at
+// most. That is 2 n / 3 + 17 1/2, and 3 n / 4 + 23 are there.
 enum { SPARE_BORDERS = 24, SPARE_STARTS = 4 };
 
 static inline size_t border_begin(size_t points, size_t pieces)

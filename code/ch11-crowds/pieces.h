@@ -35,7 +35,7 @@ struct node {
 //> Bound the depth of the tree
 // No node is further from the root, whatever the points are: 14 levels
 // at most are those of the sample, and below a leaf of m points there
-// are fewer than 18 log2 (m / 96) + 9, since a cut takes off a ninth,
+// are fewer than 18 log2 (m / 96) + 6, since a cut takes off a ninth,
 // or else most coordinates are equal, which ends after a few cuts.
 enum { DEEPEST = 512 };
 //<
