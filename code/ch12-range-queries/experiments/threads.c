@@ -26,7 +26,8 @@ int main(int argc, char **argv)
     const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
     struct probe *probe = probe_of("uniform", n, 3);
     columns(&e, "name threads n build:3");
-    for (int threads = 1; threads <= omp_get_num_procs(); threads *= 2) {
+    for (int threads = 1; threads <= omp_get_num_procs();
+         threads *= 2) {
         const struct summary build =
             build_by(&probe->points, threads, trials);
         row_begin("build_by_%d\t%d\t%u", threads, threads, n);
