@@ -15,7 +15,7 @@ set xrange [0.0002:15]
 set xtics ("0" 0.0003, "0.001" 0.001, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10)
 set xlabel "step, in mean spacings"
 set ylabel "nanoseconds a point"
-set key bottom right
+set key outside right top Left reverse
 set datafile missing NaN
 plot for [name in "projection kd-tree kd-tree-anew orthotree-compressed cells cells-halves"] \
   table using (step(column("length"))):(of(name, column("update"))) title name

@@ -18,7 +18,9 @@ struct cell_query {
     struct report *report;
     struct block block[MOST_DIMENSIONS];
 };
+//<
 
+//> Find the block along a coordinate
 static struct block block_along(const struct cell_array *cells, int k,
                                 const struct range *range)
 {
@@ -32,8 +34,8 @@ static struct block block_along(const struct cell_array *cells, int k,
 }
 //<
 
-//> Search a row by halves
-// The places from begin on whose last coordinate is not below, or with
+//> Search a cell by halves
+// The first place of the span whose number is not below, or with
 // strictly, that is above the value.
 static uint32_t place_of(const double *x, struct span span,
                          double value, bool strictly)
@@ -48,7 +50,9 @@ static uint32_t place_of(const double *x, struct span span,
     }
     return span.begin;
 }
+//<
 
+//> Search a row by its ends
 static void search_row(const struct cell_query *query,
                        const uint32_t *start, unsigned axes)
 {

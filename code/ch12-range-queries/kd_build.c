@@ -85,9 +85,7 @@ static void copy_halves(const struct sorted_points *from,
 }
 //<
 
-//> Cut a node at the median
-enum { WORTH_A_TASK = 1 << 13 };
-
+//> Find the places below a node
 static struct span span_of(const struct kd_tree *tree, uint32_t node,
                            int level)
 {
@@ -97,6 +95,10 @@ static struct span span_of(const struct kd_tree *tree, uint32_t node,
     return (struct span){kd_leaf(tree, first).begin,
                          kd_leaf(tree, last).end};
 }
+//<
+
+//> Cut a node at the median
+enum { WORTH_A_TASK = 1 << 13 };
 
 static void cut(const struct building *b, uint32_t node, int level)
 {
@@ -139,7 +141,9 @@ static void build(struct kd_tree *tree, struct sorted_points other)
     free(b.room);
     free(b.place);
 }
+//<
 
+//> Make the k-d tree
 struct kd_tree kd_make(const struct point_set *points, uint32_t leaf,
                        int threads)
 {

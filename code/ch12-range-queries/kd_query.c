@@ -14,7 +14,9 @@ struct range_query {
     const struct range *range;
     struct report *report;
 };
+//<
 
+//> Say which borders matter
 static unsigned sides_outside(const struct range *inner,
                               const struct range *range, int d)
 {

@@ -17,7 +17,9 @@ struct step_query {
 struct corner {
     uint32_t step[MOST_DIMENSIONS]; // the lowest of a node
 };
+//<
 
+//> Turn the range into steps
 static struct step_query query_of(const struct orthotree *tree,
                                   const struct range *range,
                                   struct report *report)

@@ -75,7 +75,7 @@ uint64_t projection_update(struct projection *projection)
 }
 //<
 
-//> Find a slice by two binary searches
+//> Find a place by halves
 struct slice {
     const uint32_t *order; // of the coordinate
     uint32_t begin, end;   // order[begin .. end - 1]
@@ -97,7 +97,9 @@ static uint32_t place_of(const double *x, const uint32_t *order,
     }
     return low;
 }
+//<
 
+//> Find the slice of a coordinate
 static struct slice slice_of(const struct projection *projection, int k,
                              const struct range *range)
 {

@@ -19,7 +19,8 @@ void scan_points(const struct point_set *points,
 
 //> Test several points at once
 // A lane is -1 as long as its point is inside, and becomes 0. Where all
-// lanes are 0, no other coordinate is looked at.
+// lanes are 0, no other coordinate is looked at. (Without the pragma
+// gcc 12 unrolls the loop, and then finds no vectors in it.)
 typedef int64_t lanes[LANES];
 
 static inline int64_t test_lanes(const struct point_set *points,
@@ -36,6 +37,7 @@ static inline int64_t test_lanes(const struct point_set *points,
         const double low = filter.range->low[k];
         const double high = filter.range->high[k];
         any = 0;
+#pragma omp simd reduction(| : any)
         for (int lane = 0; lane < LANES; lane++) {
             inside[lane] &=
                 -(int64_t)((x[lane] >= low) & (x[lane] <= high));

@@ -110,6 +110,22 @@ struct cost build_and_ask(struct probe *probe,
     return cost;
 }
 
+struct report ask_all(struct probe *probe,
+                      const struct structure *structure)
+{
+    void *built = structure->build(&probe->points, 1);
+    struct report sum = {0};
+    for (int q = 0; q < MOST_BOXES; q++) {
+        struct report report = {probe->found};
+        structure->query(built, &probe->box[q], &report);
+        sum.count += report.count;
+        sum.steps += report.steps;
+        sum.tested += report.tested;
+    }
+    structure->discard(built);
+    return sum;
+}
+
 void move_points(struct probe *probe, double most)
 {
     const struct point_set *p = &probe->points;

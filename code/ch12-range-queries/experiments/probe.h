@@ -39,5 +39,11 @@ struct cost build_and_ask(struct probe *probe,
                           const struct structure *structure,
                           int trials);
 
-// All points move by up to this, along each coordinate.
+// All of the boxes once, whatever it takes: the sums of their counts.
+struct report ask_all(struct probe *probe,
+                      const struct structure *structure);
+
+// All points move by up to this, along each coordinate. Called
+// again it moves each of them by the same as before: they keep their
+// velocities.
 void move_points(struct probe *probe, double most);

@@ -32,8 +32,8 @@ static void print_size(struct probe *probe, const char *name, int size,
     int64_t start = clock_ns();
     void *built = make(name, &probe->points, size);
     const double build_ns = clock_ns() - start;
-    row_begin("%s_of_%d\t%s\t%d\t%u\t%.4g\t%.4g", name, size, name, size,
-              n, build_ns / n, (double)s->bytes(built) / n);
+    row_begin("%s_of_%d\t%s\t%d\t%u\t%.4g\t%.4g", name, size, name,
+              size, n, build_ns / n, (double)s->bytes(built) / n);
     for (int k = 0; k < COUNT_OF(held); k++) {
         boxes_anywhere(probe, pow(held[k] / n, 1.0 / probe->points.d));
         const struct cost cost = ask_boxes(probe, s, built, trials);

@@ -1,0 +1,4 @@
+#!/bin/sh
+# Nine points and a box: what each structure looks at
+# demo: table
+exec "$BUILD/ch12/nine"

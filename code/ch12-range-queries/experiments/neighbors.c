@@ -1,0 +1,63 @@
+// What a search looks at for the eight nearest of a point, and for all
+// within the distance at which eight are expected: nodes or cells, and
+// points, even ones in three dimensions.
+//
+//     neighbors [POINTS]
+#include "ch12-range-queries/experiments/probe.h"
+#include <math.h>
+
+enum { WANTED = 8 };
+
+static struct neighbors ask(const struct structure *s,
+                            const void *built, struct probe *probe,
+                            double distance, double *distance2)
+{
+    struct neighbors sum = {.self = NO_INDEX};
+    struct random random = {47};
+    for (int q = 0; q < MOST_BOXES; q++) {
+        const uint32_t i = random_bits(&random) % probe->points.n;
+        double place[MOST_DIMENSIONS];
+        for (int k = 0; k < probe->points.d; k++)
+            place[k] = probe->points.x[k][i];
+        struct neighbors query = {.place = place,
+                                  .self = i,
+                                  .point = probe->found,
+                                  .distance2 = distance2};
+        if (distance > 0)
+            want_within(&query, distance);
+        else
+            want_nearest(&query, WANTED);
+        s->neighbors(built, &query);
+        sum.steps += query.steps;
+        sum.tested += query.tested;
+        sum.count += query.count;
+    }
+    return sum;
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const names[] = {"kd-tree", "cells"};
+    struct experiment e = experiment_begin(argc, argv);
+    const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
+    struct probe *probe = probe_of("uniform", n, 3);
+    double *distance2 = take(n, sizeof *distance2);
+    const double distance = cbrt(WANTED / (n * 4.18879020478639));
+    const double each = MOST_BOXES;
+    columns(&e, "name n steps tested within_steps within_tested "
+                "within_found");
+    for (int k = 0; k < COUNT_OF(names); k++) {
+        const struct structure *s = find_structure(names[k]);
+        void *built = s->build(&probe->points, 1);
+        const struct neighbors nearest =
+            ask(s, built, probe, 0, distance2);
+        const struct neighbors within =
+            ask(s, built, probe, distance, distance2);
+        row("neighbors_%s\t%u\t%.4g\t%.4g\t%.4g\t%.4g\t%.4g", names[k],
+            n, nearest.steps / each, nearest.tested / each,
+            within.steps / each, within.tested / each,
+            within.count / each);
+        s->discard(built);
+    }
+    probe_free(probe);
+}
