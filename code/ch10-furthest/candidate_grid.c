@@ -127,9 +127,7 @@ static void divide(const struct builder *builder, struct square square,
 
 //> Choose how many cells of candidates
 // Eight to thirty-two points to a cell. But if every cell of one row
-// listed all corners, that must not be more entries than MAX_LISTED: on
-// a circle, the lists of all rows together have about half as many
-// again.
+// listed all corners, that must not be more entries than MAX_LISTED.
 enum { POINTS_PER_CANDIDATE_CELL = 8, MAX_LISTED = 1 << 24 };
 
 static uint32_t side_for(uint32_t n, uint32_t corners)

@@ -35,6 +35,12 @@ struct far_batch {
 };
 //<
 
+//> Guard a bound against rounding
+// For bounds that are not computed as the distances are that they
+// bound: a few roundings, each at most 2^-53, are far less than this.
+#define ROUNDING_GUARD (1 + 0x1p-48)
+//<
+
 //> Begin a batch of far queries
 // The queries of the sorted points from s on. As long as no point is
 // further than 0, the first of the others is the furthest.

@@ -119,7 +119,7 @@ INLINED uint32_t verify_far(const enum geometry geometry,
         h, four_margins(geometry, &grid->y, &block->y, four->y));
     __m256d outside2 = _mm256_mul_pd(
         _mm256_max_pd(sum_of_squares(across, h), sum_of_squares(w, up)),
-        _mm256_set1_pd(1 + 0x1p-48));
+        _mm256_set1_pd(ROUNDING_GUARD));
     _mm256_storeu_pd(far2, d2);
     return (uint32_t)_mm256_movemask_pd(
         _mm256_cmp_pd(d2, outside2, _CMP_GT_OQ));

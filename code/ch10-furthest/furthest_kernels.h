@@ -4,6 +4,7 @@
 // for the nearest, and a kernel of the batch search finds it there.
 #pragma once
 #include "ch09-row-spans/batch.h"
+#include "ch10-furthest/far_batch.h"
 #include "common/isa.h"
 
 // One for each instruction set; only with wraparound. What it certifies
@@ -25,8 +26,7 @@ static inline double furthest_max_reach(struct space space)
 
 //> Bound the distance to all that is outside of a block
 // Of a point as far away as the margin, which is at most half a period,
-// the image on the longer way. Not computed as a distance is: so it is
-// made larger, by more than the roundings that a distance has not.
+// the image on the longer way.
 static inline double furthest_outside2(const struct grid *grid,
                                        const struct block *block,
                                        struct space space, double x,
@@ -36,7 +36,7 @@ static inline double furthest_outside2(const struct grid *grid,
     double across = w - range_margin(&grid->x, &block->x, x);
     double up = h - range_margin(&grid->y, &block->y, y);
     return MAX(across * across + h * h, w * w + up * up) *
-           (1 + 0x1p-48);
+           ROUNDING_GUARD;
 }
 //<
 //<

@@ -61,19 +61,11 @@ static struct foot foot_on(struct candidate a, struct candidate b,
 //<
 
 //> Decide whether a point can be left out
-// Let p be a mean of others, p = sum of w v with weights w that sum to
-// 1. Then for any q
-//     sum of w |v - q|^2 = |p - q|^2 + sum of w |v - p|^2,
-// so one of the v is further from q than p, in squared distance by at
-// least the last sum, the surplus of p. Squared distances are computed
-// with errors below 2^-50 D^2, where D is the diagonal of the box of
-// all points. So if the surplus is more than 2^-49 D^2, that v is
-// further as computed, too, and p is never the furthest. A mean that we
-// compute may miss p by 2^-47 D: then 2^-45 D^2 is enough. All this
-// where D^2 neither vanishes nor overflows.
-//
-// Here p lies between a foot on the lower chain and one on the upper.
-// If it misses both by rounding, one of them is near enough.
+// If p is a mean of others, p = sum of w v with weights w that sum to
+// 1, one of them is further than p from everywhere, in squared distance
+// by at least the surplus of p, the sum of w |v - p|^2. Here p lies
+// between a foot on the lower chain and one on the upper, each a mean
+// of two. If it misses both by rounding, one of them is near enough.
 static bool can_be_left_out(struct foot low, struct foot high,
                             double diagonal2)
 {

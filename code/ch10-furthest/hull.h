@@ -17,10 +17,10 @@ struct corners {
 //<
 
 //> Ask for so much surplus
-// A point is never the furthest if it is the mean of others, with any
-// weights, and their mean squared distance from it is more than this
-// times that of the diagonal of the box of all points. Twice what the
-// proof in hull.c asks for.
+// A point is never the furthest if its surplus is more than this, times
+// D^2, where D is the diagonal of the box of all points. Two squared
+// distances are compared, each with an error below 2^-50 D^2, and a
+// mean that we compute may miss the point by 2^-47 D: half would do.
 static const double CORNER_SURPLUS = 0x1p-44;
 //<
 
