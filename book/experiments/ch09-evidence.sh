@@ -2,9 +2,10 @@
 # Instructions and branches of the steps of chapter 9, counted by a simulator, for each query
 # Callgrind counts what a step does and all that it calls; its branch
 # predictor is a simple one. It knows no AVX-512, so the program is
-# compiled for AVX2. The last rows say in which functions the batches'
-# instructions are. Where there is no valgrind, or another kind of
-# processor, the committed table stands.
+# compiled for AVX2. The rows after a step's say in which functions its
+# instructions are, for the two first steps and for the batches. Where
+# there is no valgrind, or another kind of processor, the committed
+# table stands.
 set -eu
 points=${FULL:+100000}
 points=${points:-10000}
@@ -34,6 +35,18 @@ one() { # name function runs
                 ($at["Bc"] + $at["Bi"]) / n, ($at["Bcm"] + $at["Bim"]) / n
         }' "$folder/out"
 }
+in_spans() { # name runs: of the step that was counted last
+    callgrind_annotate --threshold=100 "$folder/out" |
+        awk -v name="$1" -v n="$(($2 * points))" '
+        function add(part) { gsub(",", "", $1); sum[part] += $1 }
+        function row(part) {
+            printf "%s_%s\t%.4g\tnan\tnan\n", name, part, sum[part] / n
+        }
+        /:compare_with_span \[/ { add("comparing") }
+        /:compare_row \[/ { add("rows") }
+        /:query_all_rows \[/ { add("block") }
+        END { row("comparing"); row("rows"); row("block") }'
+}
 parts() {
     callgrind_annotate --threshold=100 "$folder/out" |
         awk -v n="$((3 * points))" '
@@ -52,8 +65,8 @@ table() {
     echo "# flags: -std=c17 -O3 -march=x86-64-v3 -ffp-contract=off -fopenmp"
     echo "# date: $(date '+%Y-%m-%d %H:%M')"
     printf 'name\tinstructions\tbranches\tmispredicted\n'
-    one counted_spans by_spans 3 &&
-        one counted_vectors by_vectors 5 &&
+    one counted_spans by_spans 3 && in_spans spans 3 &&
+        one counted_vectors by_vectors 5 && in_spans vectors 5 &&
         one counted_pruned by_pruning 3 &&
         one counted_four by_four 3 &&
         one counted_batches by_filter 3 && parts

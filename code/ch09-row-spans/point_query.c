@@ -18,11 +18,13 @@ void compare_row(const struct scene *scene, const struct range *range,
     uint32_t stop = start[end < columns ? end : columns];
     scene->kernels->compare(scene, begin, stop, query);
     query->compared += stop - begin;
+    //> Go on at the first column
     if (end > columns) {
         stop = start[end - columns];
         scene->kernels->compare(scene, start[0], stop, query);
         query->compared += stop - start[0];
     }
+    //<
 }
 //<
 
@@ -34,8 +36,10 @@ bool prune_row(const struct scene *scene, uint32_t row,
     const double above = axis->border[row] - query->y;
     const double below = query->y - axis->border[row + 1];
     double gap = MAX(below, above);
+    //> Try the other way round
     if (scene->space.geometry == WRAPAROUND)
         gap = MIN(gap, axis->period - MAX(-below, -above));
+    //<
     return gap > 0 && gap * gap > query->best2;
 }
 //<

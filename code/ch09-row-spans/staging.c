@@ -25,8 +25,9 @@ static bool choose_columns(const struct scene *scene, uint32_t from,
     const bool wraps = scene->space.geometry == WRAPAROUND;
     staging->first = (int64_t)from - (wraps || from > 0);
     staging->last = (int64_t)to + (wraps || to + 1 < count);
-    staging->seam = INT64_MAX;
+    staging->seam = INT64_MAX; // none
     staging->fold[0] = staging->fold[1] = 0;
+    //> Find the seam
     if (staging->first < 0) {
         staging->seam = 0;
         staging->fold[0] = count;
@@ -34,6 +35,7 @@ static bool choose_columns(const struct scene *scene, uint32_t from,
         staging->seam = count;
         staging->fold[1] = -count;
     }
+    //<
     return !wraps || (staging->last - staging->first + 1 < count &&
                       scene->sorted->grid.y.count > ROWS);
 }
@@ -52,7 +54,7 @@ static double begin_of_cell(const struct axis *axis, int64_t k)
 }
 //<
 
-//> Refuse a seam that is too coarse
+//> Tell whether a seam is fine enough
 // The origin as seen from beyond the seam is rounded, as coarsely as
 // doubles of its size are. It must be finer than single precision.
 static bool seam_is_fine(const struct axis *axis, double origin,
@@ -69,7 +71,6 @@ static bool choose_origin(const struct scene *scene, uint32_t row,
     const struct axis *x = &scene->sorted->grid.x;
     const struct axis *y = &scene->sorted->grid.y;
     const bool wraps = scene->space.geometry == WRAPAROUND;
-    const bool over = row == 0 || row + 1 == y->count;
     const double left = begin_of_cell(x, staging->first);
     const double right = begin_of_cell(x, staging->last + 1);
     const double low =
@@ -80,20 +81,27 @@ static bool choose_origin(const struct scene *scene, uint32_t row,
     staging->y = low / 2 + high / 2;
     staging->reach = MAX(MAX(staging->x - left, right - staging->x),
                          MAX(staging->y - low, high - staging->y));
-    return staging->reach > MIN_REACH && staging->reach < MAX_REACH &&
-           (staging->seam == INT64_MAX ||
-            seam_is_fine(x, staging->x, staging->reach)) &&
-           (!(wraps && over) ||
-            seam_is_fine(y, staging->y, staging->reach));
+    //> Refuse a seam that is too coarse
+    if (staging->seam != INT64_MAX &&
+        !seam_is_fine(x, staging->x, staging->reach))
+        return false;
+    const bool over = row == 0 || row + 1 == y->count;
+    if (wraps && over && !seam_is_fine(y, staging->y, staging->reach))
+        return false;
+    //<
+    return staging->reach > MIN_REACH && staging->reach < MAX_REACH;
 }
+//<
+
+//> Hold the parts of a row
+// From left to right. Without a seam in the row the second is empty.
+struct parts {
+    struct span_source part[2];
+};
 //<
 
 //> Move the origin over the seam
 // What lies one period back is measured from an origin one period on.
-struct parts {
-    struct span_source part[2];
-};
-
 static double seen_from(double origin, double period, int64_t fold)
 {
     return fold > 0   ? origin + period
