@@ -36,7 +36,7 @@ static void visit_cells(const struct advance *a,
     tally->tried += tasks->n;
     tally->entered += strip->here.n;
     while (strip->here.n > 0) {
-        tally->point_steps++;
+        tally->point_rounds++;
         tally->compared += strip->here.n;
         tally->lanes += lanes_for(strip->here.n);
         tally->lanes_unpacked += lanes_for(strip->all.n);

@@ -46,16 +46,18 @@ INLINED __m256i cells_after(const enum geometry geometry,
                             const struct axis *axis, __m256i cell,
                             int32_t by)
 {
-    const __m256i m = _mm256_set1_epi32((int32_t)axis->count);
     __m256i to = _mm256_add_epi32(cell, _mm256_set1_epi32(by));
     if (geometry == STANDARD)
         return to;
+    //> Begin anew past an end, in eight lanes
+    const __m256i m = _mm256_set1_epi32((int32_t)axis->count);
     __mmask8 below =
         _mm256_mask_cmpge_epi32_mask(0xff, _mm256_set1_epi32(-1), to);
     __mmask8 beyond = _mm256_mask_cmpge_epi32_mask(0xff, to, m);
     to = _mm256_mask_add_epi32(to, below, to, m);
     return _mm256_mask_add_epi32(
         to, beyond, to, _mm256_sub_epi32(_mm256_setzero_si256(), m));
+    //<
 }
 //<
 

@@ -31,12 +31,14 @@ INLINED __m512d eight_near2(const enum geometry geometry,
 {
     __m512d xx = _mm512_mul_pd(dx, dx), yy = _mm512_mul_pd(dy, dy);
     if (geometry == WRAPAROUND) {
+        //> Take the shorter way round, in eight lanes
         __m512d bx = _mm512_sub_pd(_mm512_set1_pd(space.width),
                                    _mm512_abs_pd(dx));
         __m512d by = _mm512_sub_pd(_mm512_set1_pd(space.height),
                                    _mm512_abs_pd(dy));
         xx = _mm512_min_pd(xx, _mm512_mul_pd(bx, bx));
         yy = _mm512_min_pd(yy, _mm512_mul_pd(by, by));
+        //<
     }
     return _mm512_add_pd(xx, yy);
 }

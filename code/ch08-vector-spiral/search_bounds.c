@@ -48,6 +48,7 @@ INLINED void bound_in(const enum geometry geometry,
     bound_side(geometry, map->grid->y, strip, SOUTH);
     bound_side(geometry, map->grid->y, strip, NORTH);
 }
+//<
 
 void bound_searches(const struct map *map, struct strip *strip)
 {
@@ -56,5 +57,4 @@ void bound_searches(const struct map *map, struct strip *strip)
     else
         bound_in(WRAPAROUND, map, strip);
 }
-//<
 //<

@@ -20,6 +20,7 @@ INLINED void enter_in(const enum geometry geometry,
     uint64_t visited = 0;
     uint32_t k = 0;
     for (uint32_t i = 0; i < tasks->n; i++) {
+        //> Enter the cell of one task
         bool within =
             ((bound_x[i] - steps_x) | (bound_y[i] - steps_y)) >= 0;
         uint32_t cell =
@@ -32,6 +33,7 @@ INLINED void enter_in(const enum geometry geometry,
         here->end[k] = end;
         visited += within;
         k += within & (begin < end);
+        //<
     }
     strip->tally.visited += visited;
     strip->here.n = k;
@@ -66,6 +68,7 @@ INLINED void compare_in(const enum geometry geometry,
     uint32_t *nearest = strip->nearest;
     uint32_t first = strip->first, k = 0;
     for (uint32_t i = 0; i < here->n; i++) {
+        //> Compare the point of one visit
         uint32_t t = here->task[i], s = here->at[i], end = here->end[i];
         uint32_t j = point[s];
         double d2 = pair2(geometry, map->space, p.x[j] - strip->x[t],
@@ -80,6 +83,7 @@ INLINED void compare_in(const enum geometry geometry,
         here->at[k] = s + 1;
         here->end[k] = end;
         k += s + 1 < end;
+        //<
     }
     strip->here.n = k;
 }

@@ -7,7 +7,6 @@
 #include <assert.h>
 #include <stdlib.h>
 
-//> Cut arrays from a block
 struct room {
     char *next;
     size_t length;
@@ -31,7 +30,6 @@ static struct tasks cut_tasks(struct room *room)
         tasks.bound[side] = cut(room, sizeof(int32_t));
     return tasks;
 }
-//<
 
 // In this order: the block begins with x, and ends with the bytes, so
 // that all others are aligned.
@@ -90,7 +88,7 @@ void tally_add(struct tally *sum, const struct tally *tally)
     sum->entered += tally->entered;
     sum->compared += tally->compared;
     sum->cell_steps += tally->cell_steps;
-    sum->point_steps += tally->point_steps;
+    sum->point_rounds += tally->point_rounds;
     sum->lanes += tally->lanes;
     sum->lanes_unpacked += tally->lanes_unpacked;
 }

@@ -43,8 +43,8 @@ struct tally {
     uint64_t visited;        // cells within the bounds
     uint64_t entered;        // of these, with points
     uint64_t compared;       // points
-    uint64_t cell_steps;     // times that the loop over cells ran
-    uint64_t point_steps;    // and the one over points
+    uint64_t cell_steps;     // calls of enter_cells
+    uint64_t point_rounds;   // calls of compare_points
     uint64_t lanes;          // taken by it, in vectors of eight
     uint64_t lanes_unpacked; // if nothing were ever packed
 };

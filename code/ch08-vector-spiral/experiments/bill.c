@@ -67,7 +67,7 @@ static void list_lines(const struct tally *t, double n,
          .in = 5, .in32 = 2, .out = 2},
         {"next", IN_POINTS, points, .bytes = 14, .operations = 2,
          .pack = 3},
-        {"point_starts", IN_POINTS, t->point_steps / n, .starts = 14},
+        {"point_starts", IN_POINTS, t->point_rounds / n, .starts = 14},
     };
     for (int k = 0; k < LINES; k++)
         lines[k] = all[k];
