@@ -1,8 +1,8 @@
 //> List the broad phases
 // From the one that needs no proof to those that are fast.
 #include "ch13-contact/broad.h"
+#include "ch13-contact/axis_sweep.h"
 #include "ch13-contact/by_structure.h"
-#include "ch13-contact/sweep.h"
 #include <omp.h>
 #include <string.h>
 
@@ -18,8 +18,8 @@ static void find_all(void *kept, const struct broad_search *search)
 {
     (void)kept;
     const uint32_t n = search->boxes->n;
-#pragma omp parallel for num_threads(search->threads) \
-    if (search->threads > 1) schedule(dynamic, 64)
+#pragma omp parallel for num_threads( \
+    search->threads) if (search->threads > 1) schedule(dynamic, 64)
     for (uint32_t i = 0; i < n; i++) {
         struct pair_list *list =
             &search->pairs->list[omp_get_thread_num()];

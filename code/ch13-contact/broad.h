@@ -19,8 +19,8 @@ struct broad_search {
 // What it keeps from step to step belongs to the caller, who gives it
 // to end.
 struct broad {
-    const char *name;  // as in contact -a NAME
-    const char *about; // one line for contact --list
+    const char *name;   // as in contact -a NAME
+    const char *about;  // one line for contact --list
     const char *detail; // which structure of chapter 12, or NULL
     void *(*begin)(const struct broad *broad);
     // At least two boxes. Each pair comes once into some thread's list.

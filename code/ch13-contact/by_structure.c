@@ -95,8 +95,8 @@ static void part_boxes(struct classes *classes,
     classes->n = boxes->n;
     classes->class_of = allocate(boxes->n, 1);
     for (uint32_t t = 0; t < boxes->n; t++) {
-        const int c = (int)MIN(
-            ilogb(widest / width_of(boxes, t)) / 2, CLASSES - 1);
+        const int c = (int)MIN(ilogb(widest / width_of(boxes, t)) / 2,
+                               CLASSES - 1);
         classes->class_of[t] = (uint8_t)c;
         count[c]++;
     }

@@ -9,8 +9,8 @@
 // from outside. There may be room for more.
 struct mesh {
     uint32_t nodes, triangles;
-    double *x[3];           // x[k][i]: coordinate k of node i
-    uint32_t (*corner)[3];  // corner[t]: the nodes of triangle t
+    double *x[3];          // x[k][i]: coordinate k of node i
+    uint32_t (*corner)[3]; // corner[t]: the nodes of triangle t
     uint32_t node_room, triangle_room;
 };
 //<

@@ -73,8 +73,8 @@ static void count_pairs(struct pairs *pairs, uint32_t n)
 {
     uint64_t *start = pairs->start, sum = 0;
     memset(start, 0, ((size_t)n + 1) * sizeof *start);
-#pragma omp parallel for num_threads(pairs->threads) \
-    if (pairs->threads > 1)
+#pragma omp parallel for num_threads( \
+    pairs->threads) if (pairs->threads > 1)
     for (int k = 0; k < pairs->threads; k++)
         for (uint64_t p = 0; p < pairs->list[k].count; p++) {
             const uint32_t one = pairs->list[k].pair[p].one;
@@ -94,8 +94,8 @@ static void count_pairs(struct pairs *pairs, uint32_t n)
 // start[t + 1] is where the pairs of triangle t end.
 static void place_pairs(struct pairs *pairs)
 {
-#pragma omp parallel for num_threads(pairs->threads) \
-    if (pairs->threads > 1)
+#pragma omp parallel for num_threads( \
+    pairs->threads) if (pairs->threads > 1)
     for (int k = 0; k < pairs->threads; k++)
         for (uint64_t p = 0; p < pairs->list[k].count; p++) {
             const struct pair pair = pairs->list[k].pair[p];
@@ -139,8 +139,8 @@ void pairs_gather(struct pairs *pairs, uint32_t n)
     reserve(pairs, n);
     count_pairs(pairs, n);
     place_pairs(pairs);
-#pragma omp parallel for num_threads(pairs->threads) \
-    if (pairs->threads > 1) schedule(dynamic, 1024)
+#pragma omp parallel for num_threads( \
+    pairs->threads) if (pairs->threads > 1) schedule(dynamic, 1024)
     for (uint32_t t = 0; t < n; t++)
         sort_row(pairs->pair + pairs->start[t],
                  pairs->start[t + 1] - pairs->start[t]);

@@ -3,6 +3,7 @@
 // looked into: a binary one has just as many bytes as its number of
 // triangles says, and may begin with the word that a text begins with.
 #include "ch13-contact/read_mesh.h"
+#include "ch13-contact/exact.h"
 #include "common/fail.h"
 #include "common/fields.h"
 #include <math.h>
@@ -20,6 +21,9 @@ void take_node(const struct lines *lines, const char *field,
             reject(lines, expected);
         field = next_field(field, ' ');
     }
+    if (!exact_range(x, 3))
+        reject(lines, "coordinates that are 0 or not beyond 2^-280 and "
+                      "2^280");
     mesh_add_node(mesh, x[0], x[1], x[2]);
 }
 
@@ -44,8 +48,8 @@ static bool is_binary_stl(const struct stream *stream)
     if (stream->length < STL_HEAD)
         return false;
     const unsigned char *b = (unsigned char *)stream->bytes + 80;
-    const uint64_t count = b[0] | b[1] << 8 | b[2] << 16 |
-                           (uint64_t)b[3] << 24;
+    const uint64_t count =
+        b[0] | b[1] << 8 | b[2] << 16 | (uint64_t)b[3] << 24;
     return stream_size(stream) == STL_HEAD + STL_TRIANGLE * count;
 }
 

@@ -4,8 +4,8 @@
 // back from the last. Behind a slash are numbers that we do not need;
 // nor do we need lines with other words.
 #include "ch13-contact/read_mesh.h"
-#include "common/numbers.h"
 #include "common/fields.h"
+#include "common/numbers.h"
 #include <math.h>
 
 //> Take a corner of OBJ
@@ -18,9 +18,9 @@ static uint32_t take_corner(const struct lines *lines,
     double number = 0;
     const char *end = field ? number_from_text(field, &number) : NULL;
     if (!end || end == field || (*end && *end != ' ' && *end != '/') ||
-        number != floor(number) || number == 0 ||
-        fabs(number) > nodes)
-        reject(lines, "three or more numbers of nodes that came before");
+        number != floor(number) || number == 0 || fabs(number) > nodes)
+        reject(lines,
+               "three or more numbers of nodes that came before");
     const double place = number > 0 ? number - 1 : nodes + number;
     return first + (uint32_t)place;
 }

@@ -17,9 +17,8 @@ static void need_line(struct lines *lines, const char *expected)
 }
 
 // A whole number from 0 to most; rejects the line if there is none.
-static uint32_t take_whole(const struct lines *lines,
-                           const char *field, double most,
-                           const char *expected)
+static uint32_t take_whole(const struct lines *lines, const char *field,
+                           double most, const char *expected)
 {
     double number;
     if (!field || !read_number(field, ' ', &number) ||

@@ -36,27 +36,51 @@ static void weigh(struct scene *scene, struct body *body)
 }
 //<
 
+//> Move a body's middle to the origin
+// Says where it was: the mean of the nodes.
+static void center(struct mesh *mesh, struct mesh_end since,
+                   double middle[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const uint32_t count = mesh->nodes - since.node;
+        double sum = 0;
+        for (uint32_t i = since.node; i < mesh->nodes; i++)
+            sum += mesh->x[k][i];
+        middle[k] = count > 0 ? sum / count : 0;
+        for (uint32_t i = since.node; i < mesh->nodes; i++)
+            mesh->x[k][i] -= middle[k];
+    }
+}
+//<
+
 //> Add a body to a scene
+static void enlarge(struct scene *scene)
+{
+    scene->room = 2 * scene->room + 16;
+    struct body *more = allocate(scene->room, sizeof *more);
+    if (scene->bodies)
+        memcpy(more, scene->body, scene->bodies * sizeof *more);
+    free(scene->body);
+    scene->body = more;
+}
+
 void scene_add(struct scene *scene, struct mesh_end since,
                const struct start *start)
 {
     struct mesh *mesh = &scene->mesh;
-    if (scene->bodies == scene->room) {
-        scene->room = 2 * scene->room + 16;
-        struct body *more = allocate(scene->room, sizeof *more);
-        if (scene->bodies)
-            memcpy(more, scene->body, scene->bodies * sizeof *more);
-        free(scene->body);
-        scene->body = more;
-    }
+    if (scene->bodies == scene->room)
+        enlarge(scene);
     struct body *body = &scene->body[scene->bodies++];
     *body = (struct body){start->motion, since, mesh_end(mesh),
                           .turn = {1}};
+    double middle[3] = {0};
+    if (body->motion == RIGID)
+        center(mesh, since, middle);
     const double size = start->size > 0 ? start->size : 1;
     for (int k = 0; k < 3; k++) {
         for (uint32_t i = since.node; i < mesh->nodes; i++)
             mesh->x[k][i] *= size;
-        body->place[k] = start->place[k];
+        body->place[k] = start->place[k] + size * middle[k];
         body->velocity[k] = start->velocity[k];
         body->spin[k] = start->spin[k];
     }
@@ -163,8 +187,8 @@ void scene_complete(struct scene *scene)
             for (int k = 0; k < 3; k++)
                 scene->velocity[k][i] = body->velocity[k];
         }
-        for (uint32_t t = body->begin.triangle;
-             t < body->end.triangle; t++) {
+        for (uint32_t t = body->begin.triangle; t < body->end.triangle;
+             t++) {
             scene->body_of[t] = b;
             scene->group[t] = body->motion == FIXED   ? fixed
                               : body->motion == RIGID ? b
@@ -202,8 +226,8 @@ void scene_accelerate(struct scene *scene, double dt)
             if (body->motion == RIGID)
                 body->velocity[k] += more;
             if (body->motion == SOFT)
-                for (uint32_t i = body->begin.node;
-                     i < body->end.node; i++)
+                for (uint32_t i = body->begin.node; i < body->end.node;
+                     i++)
                     scene->velocity[k][i] += more;
         }
     }
@@ -216,8 +240,8 @@ static void predict_soft(struct scene *scene, const struct body *body,
 {
     for (int k = 0; k < 3; k++)
         for (uint32_t i = body->begin.node; i < body->end.node; i++)
-            scene->end[k][i] = tame(scene->mesh.x[k][i] +
-                                    dt * scene->velocity[k][i]);
+            scene->end[k][i] =
+                tame(scene->mesh.x[k][i] + dt * scene->velocity[k][i]);
 }
 
 void scene_predict(struct scene *scene, double dt, int threads)

@@ -13,20 +13,20 @@ struct body {
     double place[3];            // of its middle
     double turn[4];             // a quaternion of length 1, real first
     double velocity[3], spin[3];
-    double lightness;           // 1 / mass, 0 if fixed
-    double ease; // 1 / moment of inertia: how easily it is turned
+    double lightness; // 1 / mass, 0 if fixed
+    double ease;      // 1 / moment of inertia: how easily it is turned
 };
 //<
 
 //> Hold a scene
 struct scene {
-    struct mesh mesh;     // the nodes' places at the time t
-    double *end[3];       // their places at t + dt, as predicted
-    double *rest[3];      // in an unturned body, from its middle
-    double *velocity[3];  // of the nodes of soft bodies
-    uint32_t *body_of;    // of each triangle
+    struct mesh mesh;    // the nodes' places at the time t
+    double *end[3];      // their places at t + dt, as predicted
+    double *rest[3];     // in an unturned body, from its middle
+    double *velocity[3]; // of the nodes of soft bodies
+    uint32_t *body_of;   // of each triangle
     uint32_t *body_of_node;
-    uint32_t *group;      // of each triangle: see scene_complete
+    uint32_t *group; // of each triangle: see scene_complete
     struct body *body;
     uint32_t bodies, room;
     double gravity[3];
@@ -42,10 +42,11 @@ struct start {
 };
 //<
 
-// Makes a body of what the scene's mesh has got since; its nodes are
-// from their origin, and then moved to where the body is. A rigid body
-// of density 1 in the box around it; that it turns about its middle as
-// easily in all directions, as a ball does, is a simplification.
+// Makes a body of what the scene's mesh has got since, around the
+// origin: it is made larger, and then moved to its place. A rigid body
+// is as heavy as the box around it and turns about the mean of its
+// nodes; that it turns as easily in all directions, as a ball does, is
+// a simplification.
 void scene_add(struct scene *scene, struct mesh_end since,
                const struct start *start);
 

@@ -1,21 +1,21 @@
 //> Sweep along an axis
 // A sort, and then for each box those that begin before it ends: in a
 // cube of even boxes that is a slab, and n^(5/3) pairs in all.
-#include "ch13-contact/sweep.h"
+#include "ch13-contact/axis_sweep.h"
 #include "ch12-range-queries/radix_sort.h"
 #include "common/allocate.h"
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
-//> Hold a sweep
+//> Hold a sweep along an axis
 // The boxes in order have arrays of their own: the sweep then reads
 // memory from one end to the other.
-struct sweep {
+struct axis_sweep {
     bool kept;
     uint32_t n;
-    int axis;               // along which we sweep
-    uint32_t *order;        // of the boxes
+    int axis;        // along which we sweep
+    uint32_t *order; // of the boxes
     struct boxes in_order;
     struct radix_record *room;
 };
@@ -23,21 +23,21 @@ struct sweep {
 void *begin_sweep(const struct broad *broad)
 {
     (void)broad;
-    struct sweep *sweep = allocate(1, sizeof *sweep);
-    *sweep = (struct sweep){0};
+    struct axis_sweep *sweep = allocate(1, sizeof *sweep);
+    *sweep = (struct axis_sweep){0};
     return sweep;
 }
 
 void *begin_sweep_kept(const struct broad *broad)
 {
-    struct sweep *sweep = begin_sweep(broad);
+    struct axis_sweep *sweep = begin_sweep(broad);
     sweep->kept = true;
     return sweep;
 }
 
 void end_sweep(void *kept)
 {
-    struct sweep *sweep = kept;
+    struct axis_sweep *sweep = kept;
     boxes_free(&sweep->in_order);
     free(sweep->order);
     free(sweep->room);
@@ -102,7 +102,8 @@ static int axis_of(const struct boxes *boxes)
 
 //> Bring boxes into the order of the sweep
 // The kept one stays with its axis, unless the boxes are others.
-static void order_boxes(struct sweep *sweep, const struct boxes *boxes)
+static void order_boxes(struct axis_sweep *sweep,
+                        const struct boxes *boxes)
 {
     const uint32_t n = boxes->n;
     const bool same = sweep->n == n;
@@ -133,7 +134,7 @@ static void order_boxes(struct sweep *sweep, const struct boxes *boxes)
 
 //> Look from a box to the end of its interval
 static void look_ahead(const struct broad_search *search,
-                       const struct sweep *sweep, uint32_t r,
+                       const struct axis_sweep *sweep, uint32_t r,
                        struct pair_list *list)
 {
     const struct boxes *b = &sweep->in_order;
@@ -154,10 +155,10 @@ static void look_ahead(const struct broad_search *search,
 //> Sweep over the boxes
 void find_by_sweep(void *kept, const struct broad_search *search)
 {
-    struct sweep *sweep = kept;
+    struct axis_sweep *sweep = kept;
     order_boxes(sweep, search->boxes);
-#pragma omp parallel for num_threads(search->threads) \
-    if (search->threads > 1) schedule(dynamic, 256)
+#pragma omp parallel for num_threads( \
+    search->threads) if (search->threads > 1) schedule(dynamic, 256)
     for (uint32_t r = 0; r < sweep->n; r++)
         look_ahead(search, sweep, r,
                    &search->pairs->list[omp_get_thread_num()]);

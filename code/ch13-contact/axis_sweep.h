@@ -1,4 +1,4 @@
-//> Declare the sweep
+//> Declare the sweep along an axis
 // Boxes in the order of their low ends along one axis. From each, the
 // boxes that follow are looked at, up to the first that begins behind
 // its end (Baraff 1992).
