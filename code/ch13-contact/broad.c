@@ -3,6 +3,7 @@
 #include "ch13-contact/broad.h"
 #include "ch13-contact/axis_sweep.h"
 #include "ch13-contact/by_structure.h"
+#include "ch13-contact/clusters.h"
 #include <omp.h>
 #include <string.h>
 
@@ -57,6 +58,8 @@ const struct broad broads[] = {
      find_by_sweep, end_sweep},
     {"sweep-kept", "along an axis, the order repaired", NULL,
      begin_sweep_kept, find_by_sweep, end_sweep},
+    {"clusters", "runs of triangles first, then the triangles", NULL,
+     begin_clusters, find_by_clusters, end_clusters},
 };
 const int broad_count = sizeof broads / sizeof *broads;
 //<

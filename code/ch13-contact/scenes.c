@@ -224,8 +224,8 @@ const struct built_in *find_built_in(const char *name)
 }
 
 //> Build a scene of the table
-struct scene scene_of(const struct built_in *built_in, uint32_t size,
-                      uint64_t seed)
+struct scene build_scene(const struct built_in *built_in, uint32_t size,
+                         uint64_t seed)
 {
     struct scene scene = {0};
     built_in->fill(&scene, size, seed);

@@ -24,8 +24,8 @@ extern const int built_in_count;
 const struct built_in *find_built_in(const char *name);
 
 // Complete; released with scene_free.
-struct scene scene_of(const struct built_in *built_in, uint32_t size,
-                      uint64_t seed);
+struct scene build_scene(const struct built_in *built_in, uint32_t size,
+                         uint64_t seed);
 
 // n bodies of some 80 triangles in random motion, so close that many
 // nearly touch, without gravity: at this speed a body goes so far in a

@@ -18,7 +18,7 @@ static struct simulation set_up(const struct options *o)
 {
     const struct scene scene =
         o->file ? read_scene(o->file)
-                : scene_of(o->built_in, o->size, o->seed);
+                : build_scene(o->built_in, o->size, o->seed);
     const double usual = o->built_in ? o->built_in->dt : 0.01;
     struct simulation s =
         simulation_of(scene, o->broad, o->dt > 0 ? o->dt : usual,
