@@ -173,7 +173,7 @@ static const struct option names[] = {
 struct options parse_contact_options(int argc, char **argv)
 {
     struct options o = {
-        .seed = 1, .steps = 100, .broad = find_broad("kd-tree")};
+        .seed = 1, .steps = 100, .broad = find_broad("clusters")};
     opterr = 0; // the sentences are ours
     for (int option; (option = getopt_long(argc, argv, ":n:s:a:t:o:",
                                            names, NULL)) != -1;)
