@@ -25,11 +25,13 @@ static void put_corner(struct sweep_corner *corner,
 //<
 
 //> Search where cheap tests do not dismiss
+// No coordinate is larger than size, and size is not so small that
+// products of three vanish.
 static bool search_sweep(const struct sweep *sweep, double tolerance,
                          struct sweep_hit *hit,
                          struct event_counts *counts)
 {
-    const double size = sweep_size(sweep);
+    const double size = fmax(sweep_size(sweep), tolerance);
     assert(size <= 2 * MAX_EXACT && tolerance >= MIN_EXACT);
     struct event_counts none, *count = counts ? counts : &none;
     if (!counts)
@@ -39,7 +41,7 @@ static bool search_sweep(const struct sweep *sweep, double tolerance,
         count->by_boxes++;
         return false;
     }
-    if (size > tolerance && sweep_plane_misses(sweep, size)) {
+    if (sweep_plane_misses(sweep, size)) {
         count->by_signs++;
         return false;
     }

@@ -5,6 +5,7 @@
 // misses the origin, or it is so near that it is reported, or the piece
 // is halved: in time, and in place when it hardly moves any more.
 #include "ch13-contact/sweep.h"
+#include "ch13-contact/foot.h"
 #include "ch13-contact/vectors.h"
 #include <assert.h>
 
@@ -16,101 +17,18 @@ struct piece {
 };
 //<
 
-//> Hold a polygon at one time
-struct polygon {
-    int corners;
-    double place[4][3];
-};
-
-static struct polygon polygon_first(const struct sweep *sweep)
+//> Take a polygon at one time
+// At the beginning, share 0, or in the middle, 0.5.
+static struct polygon polygon_at(const struct sweep *sweep,
+                                 double share)
 {
     struct polygon polygon = {sweep->corners, {{0}}};
     for (int k = 0; k < sweep->corners; k++)
         for (int x = 0; x < 3; x++)
-            polygon.place[k][x] = sweep->corner[k].place[0][x];
+            polygon.place[k][x] =
+                (1 - share) * sweep->corner[k].place[0][x] +
+                share * sweep->corner[k].place[1][x];
     return polygon;
-}
-
-static struct polygon polygon_middle(const struct sweep *sweep)
-{
-    struct polygon polygon = {sweep->corners, {{0}}};
-    for (int k = 0; k < sweep->corners; k++)
-        for (int x = 0; x < 3; x++)
-            polygon.place[k][x] = (sweep->corner[k].place[0][x] +
-                                   sweep->corner[k].place[1][x]) /
-                                  2;
-    return polygon;
-}
-//<
-
-//> Hold a point of a polygon
-// Its place is that of corner a, and share[0] of the way to corner b,
-// and share[1] of the way to corner c.
-struct foot {
-    int corner[3];
-    double share[2], place[3];
-};
-
-static void put_foot(const struct polygon *p, struct foot *foot)
-{
-    const double *a = p->place[foot->corner[0]];
-    const double *b = p->place[foot->corner[1]];
-    const double *c = p->place[foot->corner[2]];
-    for (int x = 0; x < 3; x++)
-        foot->place[x] = a[x] + foot->share[0] * (b[x] - a[x]) +
-                         foot->share[1] * (c[x] - a[x]);
-}
-//<
-
-//> Drop a perpendicular into the polygon
-// The point of its plane nearest to the origin, if that is in it: then
-// the origin's direction from there is upright on both sides, which are
-// two equations for two shares. Where the polygon is flat, shares are
-// no numbers, and no comparison holds.
-static bool foot_inside(const struct polygon *p, struct foot *foot)
-{
-    const int last = p->corners - 1;
-    double s[3], t[3];
-    subtract(p->place[1], p->place[0], s);
-    subtract(p->place[last], p->place[0], t);
-    const double ss = dot(s, s), st = dot(s, t), tt = dot(t, t);
-    const double so = -dot(s, p->place[0]), to = -dot(t, p->place[0]);
-    const double area2 = ss * tt - st * st;
-    const double i = (so * tt - to * st) / area2;
-    const double j = (to * ss - so * st) / area2;
-    *foot = (struct foot){{0, 1, last}, {i, j}, {0}};
-    put_foot(p, foot);
-    return i >= 0 && j >= 0 &&
-           (last == 2 ? i + j <= 1 : i <= 1 && j <= 1);
-}
-//<
-
-//> Find the nearest point of the border
-static struct foot foot_on_border(const struct polygon *p)
-{
-    struct foot best = {0};
-    double best2 = INFINITY;
-    for (int a = 0; a < p->corners; a++) {
-        const int b = (a + 1) % p->corners;
-        double side[3];
-        subtract(p->place[b], p->place[a], side);
-        const double side2 = dot(side, side);
-        double share = 0;
-        if (side2 > 0)
-            share = fmin(1, fmax(0, -dot(p->place[a], side) / side2));
-        struct foot foot = {{a, b, a}, {share, 0}, {0}};
-        put_foot(p, &foot);
-        const double d2 = dot(foot.place, foot.place);
-        if (d2 < best2)
-            best = foot, best2 = d2;
-    }
-    return best;
-}
-
-static struct foot nearest_foot(const struct polygon *p)
-{
-    struct foot inside;
-    return foot_inside(p, &inside) ? inside : foot_on_border(p);
 }
 //<
 
@@ -158,7 +76,7 @@ static bool find_sooner_or_later(const struct piece *piece,
     struct piece sooner = *piece, later = *piece;
     sooner.time[1] = later.time[0] =
         (piece->time[0] + piece->time[1]) / 2;
-    const struct polygon middle = polygon_middle(&piece->sweep);
+    const struct polygon middle = polygon_at(&piece->sweep, 0.5);
     for (int k = 0; k < middle.corners; k++)
         for (int x = 0; x < 3; x++)
             sooner.sweep.corner[k].place[1][x] =
@@ -222,11 +140,11 @@ static bool find(const struct piece *piece, struct sweep_search *search)
     search->pieces++;
     if (sweep_box_misses(&piece->sweep, search->allowance))
         return false;
-    const struct polygon middle = polygon_middle(&piece->sweep);
+    const struct polygon middle = polygon_at(&piece->sweep, 0.5);
     const struct foot guess = nearest_foot(&middle);
-    if (sweep_is_beside(&piece->sweep, guess.place, search->allowance))
+    if (sweep_is_beside(&piece->sweep, guess.normal, search->allowance))
         return false;
-    const struct polygon first = polygon_first(&piece->sweep);
+    const struct polygon first = polygon_at(&piece->sweep, 0);
     const struct foot foot = nearest_foot(&first);
     if (report(piece, &foot, search))
         return true;

@@ -29,8 +29,6 @@ struct sweep_hit {
 //<
 
 //> Hold a search for the origin
-// Lengths are shares of the tolerance, or of the largest coordinate of
-// any place (sweep_size).
 struct sweep_search {
     double near;      // closer is reported
     double fine;      // what moves or is wide no more is fine enough
@@ -42,7 +40,7 @@ struct sweep_search {
 // Pieces are halved in the order of time, so that the first that is
 // reported is the earliest. Returns whether one was: then the origin is
 // not met before hit.time, and at that time the point of hit.at is
-// within the tolerance of it.
+// within the tolerance of it. The tolerance is at least 2^-40 size.
 bool sweep_find(const struct sweep *sweep, double size,
                 double tolerance, struct sweep_search *search);
 //<
@@ -58,8 +56,8 @@ bool sweep_is_beside(const struct sweep *sweep, const double n[3],
 bool sweep_box_misses(const struct sweep *sweep, double allowance);
 bool sweep_plane_misses(const struct sweep *sweep, double size);
 
-// The largest coordinate, without its sign; and what of it rounding can
-// spoil.
+// The largest coordinate, without its sign; and what rounding can spoil
+// at such a size, which is at least MIN_EXACT of exact.h.
 double sweep_size(const struct sweep *sweep);
 double sweep_allowance(double size);
 //<
