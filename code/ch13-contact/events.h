@@ -47,7 +47,7 @@ struct event_counts {
 //<
 
 // Whether the node touches the face during the step; then the event,
-// but for its nodes. A tolerance below 2^-30 of the largest coordinate
+// but for its nodes. A tolerance below 2^-40 of the largest coordinate
 // of a difference between the two counts as so much. Coordinates are
 // finite, at most MAX_EXACT of exact.h, the tolerance is at least
 // MIN_EXACT. Adds to *counts, unless that is NULL.

@@ -94,8 +94,8 @@ static bool shadows_meet(const struct triangle *p,
 //<
 
 //> Compare boxes of two triangles
-static bool boxes_meet(const struct triangle *p,
-                       const struct triangle *q)
+static bool own_boxes_meet(const struct triangle *p,
+                           const struct triangle *q)
 {
     for (int k = 0; k < 3; k++) {
         double min[2], max[2];
@@ -122,7 +122,7 @@ static bool boxes_meet(const struct triangle *p,
 static bool coplanar_meet(const struct triangle *p,
                           const struct triangle *q, uint64_t *expanded)
 {
-    return boxes_meet(p, q) && shadows_meet(p, q, 0, expanded) &&
+    return own_boxes_meet(p, q) && shadows_meet(p, q, 0, expanded) &&
            shadows_meet(p, q, 1, expanded) &&
            shadows_meet(p, q, 2, expanded);
 }

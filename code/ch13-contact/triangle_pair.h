@@ -14,8 +14,8 @@ struct triangle {
 // Triangles are closed: to touch is to meet. One whose corners lie on a
 // line is that segment, or that point. Coordinates keep to the rule of
 // exact.h. Adds to *expanded, unless that is NULL, how many signs
-// needed expansions. (After Guigue
-// and Devillers 2003, with more signs and fewer cases.)
+// needed expansions. (After Guigue and Devillers 2003, with more signs
+// and fewer cases.)
 bool triangles_meet(const struct triangle *p, const struct triangle *q,
                     uint64_t *expanded);
 //<
