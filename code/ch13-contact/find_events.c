@@ -3,6 +3,7 @@
 // node to six, so an event of two edges is found up to four times: the
 // lists are put together and sorted, and of equal ones one is kept.
 #include "ch13-contact/find_events.h"
+#include "ch13-contact/kept_apart.h"
 #include "ch13-contact/triangle_pair.h"
 #include "common/allocate.h"
 #include "common/clock.h"
@@ -97,12 +98,16 @@ static void test_pair(const struct event_search *search,
     const struct moving_triangle p = moving_of(search->scene, pair.one);
     const struct moving_triangle q =
         moving_of(search->scene, pair.other);
+    list->pairs++;
+    if (kept_apart(&p, &q, search->tolerance)) {
+        list->apart++;
+        return;
+    }
     const size_t count = triangle_events(&p, &q, search->tolerance,
                                          event, &list->counts);
     for (size_t e = 0; e < count; e++)
         keep_event(list, event[e]);
     list->hits += count > 0;
-    list->pairs++;
 }
 //<
 
@@ -165,6 +170,7 @@ static void gather_lists(struct events *events)
             keep_event(all, list->event[e]);
         all->hits += list->hits;
         all->pairs += list->pairs;
+        all->apart += list->apart;
         all->counts.tests += list->counts.tests;
         all->counts.by_boxes += list->counts.by_boxes;
         all->counts.by_signs += list->counts.by_signs;

@@ -11,6 +11,7 @@ struct event_list {
     uint64_t count, room;
     uint64_t hits;              // pairs that have an event
     uint64_t pairs;             // that were tested
+    uint64_t apart;             // and separated (kept_apart.h)
     struct event_counts counts; // of the tests
     int64_t ns;                 // that this thread worked
 };

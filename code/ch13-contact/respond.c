@@ -2,6 +2,7 @@
 // The simplest response that lets a pile come to rest: no bounce, and
 // friction that resists sliding as far as the pressure allows.
 #include "ch13-contact/respond.h"
+#include "ch13-contact/vectors.h"
 #include "common/allocate.h"
 #include "common/fail.h"
 #include "common/min_max.h"
@@ -41,18 +42,6 @@ static void place_of_side(const struct scene *scene, struct side side,
 //<
 
 //> Find the normal of a touch
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 // From one node to another at that time.
 static void edge_at(const struct scene *scene, const struct event *e,
                     int from, int to, double edge[3])

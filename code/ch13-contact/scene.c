@@ -4,6 +4,7 @@
 // loses energy for long.
 #include "ch13-contact/scene.h"
 #include "ch13-contact/exact.h"
+#include "ch13-contact/vectors.h"
 #include "common/allocate.h"
 #include "common/fail.h"
 #include "common/min_max.h"
@@ -91,13 +92,6 @@ void scene_add(struct scene *scene, struct mesh_end since,
 
 //> Turn by a quaternion
 // v + 2 w (q x v) + 2 q x (q x v), where w is the real part.
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static void turn_by(const double turn[4], const double v[3],
                     double to[3])
 {

@@ -173,6 +173,7 @@ struct step_report take_step(struct simulation *s)
         report.ns[phase] = begin[phase + 1] - begin[phase];
     report.tested = s->pairs.tested;
     report.candidates = s->pairs.count;
+    report.apart = s->events.all.apart;
     report.hits = s->events.all.hits;
     report.events = s->events.all.count;
     report.tests = s->events.all.counts;

@@ -12,7 +12,8 @@ enum phase { PREDICT, CAPTURE, BROAD, NARROW, HANDLE, PHASES };
 struct step_report {
     uint64_t tested;     // pairs of boxes that were looked at
     uint64_t candidates; // pairs whose boxes meet
-    uint64_t hits;       // of these, pairs with an event
+    uint64_t apart;      // of these, separated by an axis
+    uint64_t hits;       // of the others, pairs with an event
     uint64_t events;     // each once
     uint32_t touches;    // remembered
     uint32_t stopped;    // nodes that stay where they are
