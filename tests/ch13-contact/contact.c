@@ -1,0 +1,7 @@
+// Contact detection.
+#include "narrow.h"
+
+int main(void)
+{
+    return RUN_TESTS("ch13-contact", NARROW_TESTS);
+}
