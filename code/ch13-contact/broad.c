@@ -38,6 +38,7 @@ static void end_all(void *kept)
 
 //> Fill the table of broad phases
 #define OF_STRUCTURE begin_structure, find_by_structure, end_structure
+#define OF_CLUSTERS begin_clusters, find_by_clusters, end_clusters
 const struct broad broads[] = {
     {"all-pairs", "every pair of boxes", NULL, begin_all, find_all,
      end_all},
@@ -58,8 +59,10 @@ const struct broad broads[] = {
      find_by_sweep, end_sweep},
     {"sweep-kept", "along an axis, the order repaired", NULL,
      begin_sweep_kept, find_by_sweep, end_sweep},
-    {"clusters", "runs of triangles first, then the triangles", NULL,
-     begin_clusters, find_by_clusters, end_clusters},
+    {"clusters", "runs of triangles by kd-tree, then triangles",
+     "kd-tree", OF_CLUSTERS},
+    {"clusters-sweep", "the same, the runs by sweep-kept", "sweep-kept",
+     OF_CLUSTERS},
 };
 const int broad_count = sizeof broads / sizeof *broads;
 //<

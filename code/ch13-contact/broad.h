@@ -21,7 +21,8 @@ struct broad_search {
 struct broad {
     const char *name;   // as in contact -a NAME
     const char *about;  // one line for contact --list
-    const char *detail; // which structure of chapter 12, or NULL
+    const char *detail; // name of a structure of chapter 12, or of the
+                        // broad phase for clusters; or NULL
     void *(*begin)(const struct broad *broad);
     // At least two boxes. Each pair comes once into some thread's list.
     void (*find)(void *kept, const struct broad_search *search);

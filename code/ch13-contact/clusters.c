@@ -4,7 +4,6 @@
 // Clusters of the same rigid body are never compared, and so most of
 // the work that triangles would have with their own body is not done.
 #include "ch13-contact/clusters.h"
-#include "ch13-contact/axis_sweep.h"
 #include "common/allocate.h"
 #include "common/min_max.h"
 #include <math.h>
@@ -19,14 +18,16 @@ struct clusters {
     uint32_t room;   // for triangles
     uint32_t n;      // clusters
     struct boxes boxes;
-    struct pairs pairs; // of clusters
-    void *sweep;
+    struct pairs pairs;        // of clusters
+    const struct broad *above; // finds these
+    void *kept;                // by it
 };
 
 void *begin_clusters(const struct broad *broad)
 {
     struct clusters *clusters = allocate(1, sizeof *clusters);
-    *clusters = (struct clusters){.sweep = begin_sweep_kept(broad)};
+    *clusters = (struct clusters){.above = find_broad(broad->detail)};
+    clusters->kept = clusters->above->begin(clusters->above);
     return clusters;
 }
 
@@ -37,7 +38,7 @@ void end_clusters(void *kept)
     free(clusters->group);
     boxes_free(&clusters->boxes);
     pairs_free(&clusters->pairs);
-    end_sweep(clusters->sweep);
+    clusters->above->end(clusters->kept);
     free(clusters);
 }
 //<
@@ -157,10 +158,7 @@ void find_by_clusters(void *kept, const struct broad_search *search)
     enclose(clusters, search->boxes, threads);
     const struct broad_search above = {
         &clusters->boxes, clusters->group, &clusters->pairs, threads};
-    pairs_begin(&clusters->pairs, threads);
-    if (clusters->n > 1)
-        find_by_sweep(clusters->sweep, &above);
-    pairs_gather(&clusters->pairs, clusters->n);
+    find_pairs(clusters->above, clusters->kept, &above);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
         struct pair_list *list =

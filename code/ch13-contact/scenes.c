@@ -135,24 +135,24 @@ static void fill_bullet(struct scene *scene, uint32_t size,
 }
 //<
 
-//> Crumple a cloth
-// Its nodes go to the middle, each at a height of its own: parts of the
-// sheet that are far apart meet.
+//> Fold a cloth
+// The right half is thrown over the left; waves on both, in different
+// directions, make them meet.
 static void fill_cloth(struct scene *scene, uint32_t size,
                        uint64_t seed)
 {
-    struct random random = {seed};
+    (void)seed;
     const struct mesh_end since = mesh_end(&scene->mesh);
     add_cloth(&scene->mesh, size);
     scene_add(scene, since, &(struct start){SOFT, 4});
     scene_complete(scene);
     const struct mesh *mesh = &scene->mesh;
     for (uint32_t i = 0; i < mesh->nodes; i++) {
-        for (int k = 0; k < 2; k++)
-            scene->velocity[k][i] = -0.5 * mesh->x[k][i];
-        scene->velocity[2][i] = sin(3 * mesh->x[0][i]) +
-                                cos(2 * mesh->x[1][i]) +
-                                between(&random, -0.1, 0.1);
+        const double x = mesh->x[0][i], y = mesh->x[1][i];
+        scene->velocity[0][i] = x > 0 ? -2 * x : 0;
+        scene->velocity[2][i] =
+            x > 0 ? 0.2 * x + 0.5 * sin(2 * x) * cos(3 * y)
+                  : -0.5 * sin(3 * x);
     }
 }
 //<
@@ -207,7 +207,7 @@ const struct built_in built_ins[] = {
      1000000, 0.05, fill_giant},
     {"bullet", "a bullet at a sheet of so many squares a side", 10, 1,
      10000, 0.01, fill_bullet},
-    {"cloth", "a sheet that crumples, so many squares a side", 40, 1,
+    {"cloth", "a sheet that folds, so many squares a side", 40, 1,
      10000, 0.02, fill_cloth},
     {"rings", "two linked rings, so many sides each", 12, 3, 10000,
      0.02, fill_rings},
