@@ -48,12 +48,4 @@ void events_free(struct events *events);
 
 // By kind and nodes alone.
 int compare_features(const struct event *a, const struct event *b);
-
-// Of the pairs, how many share a point at rest, where the nodes are
-// now, decided exactly; and the first that does, pairs->count if none
-// does. Pairs that share a node are not asked.
-uint64_t count_meeting(const struct scene *scene,
-                       const struct pairs *pairs, int threads);
-uint64_t first_meeting(const struct scene *scene,
-                       const struct pairs *pairs);
 //<

@@ -56,18 +56,4 @@ void scene_add(struct scene *scene, struct mesh_end since,
 // body is in no group, NO_INDEX.
 void scene_complete(struct scene *scene);
 void scene_free(struct scene *scene);
-
-// Gravity acts for a time dt; then, at these velocities, end[] is where
-// the nodes are after dt, and each body where it will be then. Between
-// the two a node moves along a straight line.
-void scene_accelerate(struct scene *scene, double dt);
-struct pose {
-    double place[3], turn[4];
-};
-struct pose pose_after(const struct body *body, double dt);
-void scene_predict(struct scene *scene, double dt, int threads);
-
-// Where the nodes of a body are in a pose: to[k][i] for node i.
-void place_nodes(const struct scene *scene, const struct body *body,
-                 const struct pose *pose, double *const to[3]);
 //<

@@ -5,6 +5,8 @@
 // apart. Boxes over the whole step hold a body that stays as well: the
 // candidates are found once.
 #include "ch13-contact/step.h"
+#include "ch13-contact/at_rest.h"
+#include "ch13-contact/motion.h"
 #include "common/allocate.h"
 #include "common/clock.h"
 #include <stdlib.h>

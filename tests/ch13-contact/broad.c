@@ -175,32 +175,50 @@ void moving_scenes(void)
         }
 }
 
-// For each triangle a broad phase does as much work in a scene that is
-// eight times as large.
+// Runs of boxes, as many in each unit of space whatever their number.
+static void draw_runs(struct boxes *boxes, uint32_t n)
+{
+    struct random random = {n};
+    const double side = cbrt(n / 32.0);
+    double middle[3] = {0};
+    boxes_reserve(boxes, n);
+    for (uint32_t t = 0; t < n; t++)
+        for (int k = 0; k < 3; k++) {
+            if (t % 32 == 0)
+                middle[k] = side * random_uniform(&random);
+            boxes->low[k][t] = middle[k] + random_uniform(&random);
+            boxes->high[k][t] = boxes->low[k][t] + 0.2;
+        }
+}
+
+// For each box a broad phase does as much work, and finds as many
+// pairs, in a scene that is eight times as large.
 void work_grows_linearly(void)
 {
-    static const char *const names[] = {"kd-tree-anew", "cells",
-                                        "clusters"};
-    for (int name = 0; name < 3; name++) {
-        double each[2], candidates[2];
+    static const char *const names[] = {"kd-tree-anew", "orthotree",
+                                        "cells", "clusters"};
+    for (int name = 0; name < 4; name++) {
+        const struct broad *broad = find_broad(names[name]);
+        double tested[2], found[2];
         for (int size = 0; size < 2; size++) {
-            const struct built_in *cloud = find_built_in("cloud");
-            struct simulation s =
-                simulation_of(build_scene(cloud, size ? 2744 : 343, 5),
-                              find_broad(names[name]), 0.4, 2);
-            s.passive = true;
-            const struct step_report report = take_step(&s);
-            const double n = s.scene.mesh.triangles;
-            each[size] = (double)report.tested / n;
-            candidates[size] = (double)report.candidates / n;
-            simulation_free(&s);
+            struct boxes boxes = {0};
+            struct pairs pairs = {0};
+            const uint32_t n = size ? 64000 : 8000;
+            draw_runs(&boxes, n);
+            void *kept = broad->begin(broad);
+            const struct broad_search search = {&boxes, NULL, &pairs,
+                                                2};
+            find_pairs(broad, kept, &search);
+            tested[size] = (double)pairs.tested / n;
+            found[size] = (double)pairs.count / n;
+            broad->end(kept);
+            boxes_free(&boxes);
+            pairs_free(&pairs);
         }
-        // Bodies at the border of the cloud have fewer neighbors.
-        CHECK(each[1] < 1.2 * each[0], "%s: %g tests a triangle, %g",
-              names[name], each[0], each[1]);
-        CHECK(candidates[1] < 1.2 * candidates[0],
-              "%g candidates a triangle, %g", candidates[0],
-              candidates[1]);
+        CHECK(tested[1] < 1.2 * tested[0], "%s: %g, then %g",
+              names[name], tested[0], tested[1]);
+        CHECK(found[1] < 1.2 * found[0] && found[0] > 0.2,
+              "%s: %g, then %g found", names[name], found[0], found[1]);
     }
 }
 

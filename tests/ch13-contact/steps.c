@@ -1,6 +1,7 @@
 // Scenes in motion: nothing is missed, and nothing crosses.
 #include "ch13-contact/exact.h"
 #include "ch13-contact/kept_apart.h"
+#include "ch13-contact/motion.h"
 #include "ch13-contact/scenes.h"
 #include "ch13-contact/shapes.h"
 #include "ch13-contact/step.h"
