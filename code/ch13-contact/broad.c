@@ -4,6 +4,7 @@
 #include "ch13-contact/axis_sweep.h"
 #include "ch13-contact/by_structure.h"
 #include "ch13-contact/clusters.h"
+#include "ch13-contact/sweep_and_prune.h"
 #include <omp.h>
 #include <string.h>
 
@@ -59,10 +60,15 @@ const struct broad broads[] = {
      find_by_sweep, end_sweep},
     {"sweep-kept", "along an axis, the order repaired", NULL,
      begin_sweep_kept, find_by_sweep, end_sweep},
+    {"sweep-and-prune", "along three axes, order and pairs kept", NULL,
+     begin_sweep_and_prune, find_by_sweep_and_prune,
+     end_sweep_and_prune},
     {"clusters", "runs of triangles by kd-tree, then triangles",
      "kd-tree", OF_CLUSTERS},
     {"clusters-sweep", "the same, the runs by sweep-kept", "sweep-kept",
      OF_CLUSTERS},
+    {"clusters-prune", "the same, by sweep-and-prune",
+     "sweep-and-prune", OF_CLUSTERS},
 };
 const int broad_count = sizeof broads / sizeof *broads;
 //<

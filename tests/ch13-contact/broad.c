@@ -118,8 +118,8 @@ static void run_row(const struct broad *row, uint32_t n, enum kind kind,
     draw_boxes(&boxes, n, kind, &random);
     group_boxes(group, n, &random);
     void *kept = row->begin(row);
-    for (int step = 0; step < 4; step++) {
-        const uint32_t *groups = step % 2 ? group : NULL;
+    for (int step = 0; step < 6; step++) {
+        const uint32_t *groups = step < 3 ? group : NULL;
         const struct broad_search search = {&boxes, groups, &found,
                                             threads};
         find_pairs(row, kept, &search);
