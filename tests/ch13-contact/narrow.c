@@ -141,8 +141,8 @@ static void nearly_straight(int64_t p[4][3], struct random *random)
     const int64_t j = pick(random, (int64_t)1 << 38) * 4096;
     for (int k = 0; k < 4; k++) {
         const int64_t far = k == 0 ? 0 : pick(random, 100);
-        p[k][0] = i * far + (k == 0 ? pick(random, 1) : 0);
-        p[k][1] = j * far + (k == 0 ? pick(random, 1) : 0);
+        p[k][0] = i * far + (k == 0 ? pick(random, 100) : 0);
+        p[k][1] = j * far + (k == 0 ? pick(random, 100) : 0);
         p[k][2] = pick(random, 1);
     }
 }
