@@ -26,7 +26,8 @@ struct moving_triangle {
 // Before time, the two do not touch. At that time they are no further
 // apart than the tolerance, at the point with these weights: of a node
 // (weight 1) and three corners of a face, or of an edge's two ends and
-// another's. Each of the two has weights that sum to 1.
+// another's. Each of the two has weights that sum to 1, and all are at
+// least 0, but for rounding.
 enum contact { NODE_FACE, EDGE_EDGE };
 
 struct event {

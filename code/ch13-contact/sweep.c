@@ -14,6 +14,7 @@
 struct piece {
     double time[2];
     struct sweep sweep; // with places at these two times
+    bool cut;           // in place: its time is halved no more
 };
 //<
 
@@ -122,6 +123,7 @@ static bool find_here_or_there(const struct piece *piece,
     }
     for (int h = 0; h < 2; h++) {
         struct piece part = *piece;
+        part.cut = true;
         for (int k = 0; k < corners; k++)
             part.sweep.corner[k] = corner[half[corners - 3][h][k]];
         if (find(&part, search))
@@ -132,6 +134,8 @@ static bool find_here_or_there(const struct piece *piece,
 //<
 
 //> Give up, report, or halve a piece
+// Once a piece is cut in place, all its parts begin at one time, so
+// that the first report is the earliest of all.
 // Never without end: a piece that moves by no more than fine, with
 // sides no longer than that, is less than 3 fine wide. If its box does
 // not miss the origin, all of it is near.
@@ -148,7 +152,7 @@ static bool find(const struct piece *piece, struct sweep_search *search)
     const struct foot foot = nearest_foot(&first);
     if (report(piece, &foot, search))
         return true;
-    return motion_of(&piece->sweep) > search->fine
+    return !piece->cut && motion_of(&piece->sweep) > search->fine
                ? find_sooner_or_later(piece, search)
                : find_here_or_there(piece, search);
 }
@@ -162,7 +166,7 @@ bool sweep_find(const struct sweep *sweep, double size,
     search->near = 0.875 * tolerance;
     search->fine = 0.125 * tolerance;
     search->allowance = sweep_allowance(size);
-    const struct piece all = {{0, 1}, *sweep};
+    const struct piece all = {{0, 1}, *sweep, false};
     return find(&all, search);
 }
 //<

@@ -1,6 +1,22 @@
-// The tests of narrow.c, for the table of contact.c.
+// The tests of the narrow phase, narrow.c and narrow_events.c, for the
+// table of contact.c.
 #pragma once
+#include "common/random.h"
 #include "harness.h"
+#include <stdlib.h>
+
+static inline uint32_t pair_count(uint32_t usual)
+{
+    const char *wanted = getenv("CONTACT_PAIRS");
+    return at_most("MOST_CASES",
+                   wanted ? (uint32_t)atoi(wanted) : usual);
+}
+
+// From -most to most.
+static inline int64_t pick(struct random *random, int64_t most)
+{
+    return (int64_t)(random_bits(random) % (2 * most + 1)) - most;
+}
 
 void ranges_are_checked(void);
 void sides_are_exact(void);
