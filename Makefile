@@ -377,18 +377,19 @@ evidence: $(programs) | $(BUILD)/setup/evidence
 # What only `make peers` needs: C++, and the libraries themselves.
 peers     := $(patsubst code/%.cc,$(BUILD)/plain/%.o,$(wildcard code/peers/*.cc))
 PEERFLAGS := -std=c++17 -O3 -march=$(MARCH) -fopenmp
-PEERLIBS  := -lann -ltbb -llz4
+PEERLIBS  := -lann -ltbb -llz4 -lBulletCollision -lLinearMath
 
 $(peers): $(BUILD)/plain/peers/%.o: code/peers/%.cc $(BUILD)/flags \
 		| $(BUILD)/setup/peers
 	@mkdir -p $(@D)
 	$(call say,compile)
-	$(Q)$(CXX) $(CPPFLAGS) -DCGAL_LINKED_WITH_TBB $(PEERFLAGS) -Wall -Wextra \
+	$(Q)$(CXX) $(CPPFLAGS) -DCGAL_LINKED_WITH_TBB \
+		-isystem /usr/include/bullet $(PEERFLAGS) -Wall -Wextra \
 		$(WERROR) -c $< -o $@
 
 $(BUILD)/plain/peers/contenders.o: CPPFLAGS += -DPEER_FLAGS='"$(PEERFLAGS)"'
 
-contests := $(addprefix $(BUILD)/peers/,compare crowds ranges)
+contests := $(addprefix $(BUILD)/peers/,compare crowds ranges contacts)
 $(contests): $(BUILD)/peers/%: $(BUILD)/plain/peers/%.o $(libraries) \
 		$(peers)
 	@mkdir -p $(@D)

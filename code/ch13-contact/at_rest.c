@@ -22,7 +22,9 @@ static struct triangle triangle_of(const struct mesh *mesh, uint32_t t)
             triangle.corner[c][k] = mesh->x[k][mesh->corner[t][c]];
     return triangle;
 }
+//<
 
+//> Ask whether a pair meets
 static bool pair_meets(const struct mesh *mesh, struct pair pair)
 {
     if (share_a_node(mesh, pair))
@@ -42,7 +44,9 @@ uint64_t count_meeting(const struct scene *scene,
         count += pair_meets(&scene->mesh, pairs->pair[p]);
     return count;
 }
+//<
 
+//> Find the first pair that meets
 uint64_t first_meeting(const struct scene *scene,
                        const struct pairs *pairs)
 {

@@ -19,7 +19,9 @@ struct axis_sweep {
     struct boxes in_order;
     struct radix_record *room;
 };
+//<
 
+//> Keep a sweep
 void *begin_sweep(const struct broad *broad)
 {
     (void)broad;

@@ -168,7 +168,9 @@ static bool update(struct classes *classes, const struct boxes *boxes,
     }
     return true;
 }
+//<
 
+//> Build the classes
 static void build(struct classes *classes, const struct boxes *boxes,
                   int threads)
 {

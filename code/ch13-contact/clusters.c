@@ -22,7 +22,9 @@ struct clusters {
     const struct broad *above; // finds these
     void *kept;                // by it
 };
+//<
 
+//> Keep clusters
 void *begin_clusters(const struct broad *broad)
 {
     struct clusters *clusters = allocate(1, sizeof *clusters);

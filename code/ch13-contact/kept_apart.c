@@ -81,7 +81,9 @@ static bool middles_separate(const struct corners *corners)
     }
     return separates(corners, axis);
 }
+//<
 
+//> Try twelve directions
 bool kept_apart(const struct moving_triangle *p,
                 const struct moving_triangle *q, double tolerance)
 {

@@ -30,7 +30,7 @@ static uint32_t next_room(uint32_t used, const char *what)
 }
 //<
 
-//> Add a node, add a triangle
+//> Add a node to a mesh
 uint32_t mesh_add_node(struct mesh *mesh, double x, double y, double z)
 {
     const uint32_t i = mesh->nodes;
@@ -45,7 +45,9 @@ uint32_t mesh_add_node(struct mesh *mesh, double x, double y, double z)
     mesh->x[2][i] = z;
     return mesh->nodes++;
 }
+//<
 
+//> Add a triangle to a mesh
 uint32_t mesh_add_triangle(struct mesh *mesh, uint32_t a, uint32_t b,
                            uint32_t c)
 {

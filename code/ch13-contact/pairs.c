@@ -133,7 +133,9 @@ static void sort_row(struct pair *pair, uint64_t count)
     }
 }
 //<
+//<
 
+//> Gather the pairs
 void pairs_gather(struct pairs *pairs, uint32_t n)
 {
     reserve(pairs, n);

@@ -24,7 +24,9 @@ static uint32_t take_corner(const struct lines *lines,
     const double place = number > 0 ? number - 1 : nodes + number;
     return first + (uint32_t)place;
 }
+//<
 
+//> Take a face of OBJ
 static void take_face(const struct lines *lines, uint32_t first,
                       struct mesh *mesh)
 {

@@ -30,7 +30,9 @@ static void need_word(struct lines *lines, const char *word)
     if (!is_line(lines, word))
         reject(lines, word);
 }
+//<
 
+//> Take a facet
 static void take_facet(struct lines *lines, struct mesh *mesh)
 {
     const uint32_t first = mesh->nodes;
@@ -44,7 +46,9 @@ static void take_facet(struct lines *lines, struct mesh *mesh)
     need_word(lines, "endfacet");
     mesh_add_triangle(mesh, first, first + 1, first + 2);
 }
+//<
 
+//> Take all facets
 void read_stl_text(struct lines *lines, struct mesh *mesh)
 {
     const struct mesh_end since = mesh_end(mesh);
@@ -71,7 +75,9 @@ static float take_float(const unsigned char *b)
     memcpy(&number, &bits, sizeof number);
     return number;
 }
+//<
 
+//> Take three corners from bytes
 enum { STL_HEAD = 84, STL_TRIANGLE = 50, STL_NORMAL = 12 };
 
 static void take_stl_triangle(const struct stream *stream, size_t at,
@@ -91,7 +97,9 @@ static void take_stl_triangle(const struct stream *stream, size_t at,
     }
     mesh_add_triangle(mesh, c[0], c[1], c[2]);
 }
+//<
 
+//> Take triangles from a stream
 void read_stl_binary(struct stream *stream, struct mesh *mesh)
 {
     const struct mesh_end since = mesh_end(mesh);

@@ -26,7 +26,9 @@ static struct lever lever_of(const struct scene *scene,
         lever.arm[k] -= lever.body->place[k];
     return lever;
 }
+//<
 
+//> Add up motion and turning
 static void velocity_at(const struct scene *scene,
                         const struct lever *lever, double velocity[3])
 {

@@ -101,7 +101,9 @@ static void give_arrays(struct scene *scene)
     scene->body_of = allocate(mesh->triangles, sizeof(uint32_t));
     scene->group = allocate(mesh->triangles, sizeof(uint32_t));
 }
+//<
 
+//> Put bodies in their places
 void scene_complete(struct scene *scene)
 {
     give_arrays(scene);

@@ -26,7 +26,9 @@ static struct place middle_of(const struct place *a,
         m.x[k] /= sqrt(length2);
     return m;
 }
+//<
 
+//> Cut until it is fine
 static void add_cut(struct mesh *mesh, const struct place p[3],
                     int cuts)
 {

@@ -73,7 +73,9 @@ static void begin_rounds(struct simulation *s)
         s->still[i] = scene->body[b].motion == FIXED;
     }
 }
+//<
 
+//> Go on in rounds
 static void stop_in_rounds(struct simulation *s,
                            struct step_report *report)
 {

@@ -22,7 +22,9 @@ struct sweep_and_prune {
     struct radix_record *room;
     void *sweep; // for the first step
 };
+//<
 
+//> Keep ends from step to step
 void *begin_sweep_and_prune(const struct broad *broad)
 {
     struct sweep_and_prune *kept = allocate(1, sizeof *kept);

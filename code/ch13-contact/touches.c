@@ -69,7 +69,7 @@ static void find_normal(const struct scene *scene,
 }
 //<
 
-//> Remember events
+//> Make room for touches
 // What is remembered and what is new are both sorted by nodes, so they
 // are merged.
 static void reserve(struct touches *touches, uint64_t wanted)
@@ -94,7 +94,9 @@ void grow_old(struct touches *touches)
     for (uint32_t t = 0; t < touches->count; t++)
         touches->touch[t].age++;
 }
+//<
 
+//> Merge what is remembered with what is new
 void remember(struct touches *touches, const struct scene *scene,
               const struct events *events)
 {
