@@ -101,14 +101,32 @@ static void stop_in_rounds(struct simulation *s,
 }
 //<
 
+//> Calm what stays
+// It has not moved, whatever its velocity said: it loses a part, so
+// that what is held fast comes to rest.
+static const double calm = 0.8;
+
+static void calm_down(struct body *body)
+{
+    for (int k = 0; k < 3; k++) {
+        body->velocity[k] *= calm;
+        body->spin[k] *= calm;
+    }
+}
+//<
+
 //> Go where nothing is in the way
 static void advance(struct simulation *s)
 {
     struct scene *scene = &s->scene;
     for (uint32_t b = 0; b < scene->bodies; b++) {
         struct body *body = &scene->body[b];
-        if (body->motion != RIGID || s->still[body->begin.node])
+        if (body->motion != RIGID)
             continue;
+        if (s->still[body->begin.node]) {
+            calm_down(body);
+            continue;
+        }
         const struct pose pose = pose_after(body, s->dt);
         memcpy(body->place, pose.place, sizeof pose.place);
         memcpy(body->turn, pose.turn, sizeof pose.turn);

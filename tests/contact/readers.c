@@ -3,7 +3,7 @@
 #include "ch13-contact/shapes.h"
 #include "common/allocate.h"
 #include "common/random.h"
-#include "parts.h"
+#include "harness.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,7 +53,7 @@ static void check_closed(struct mesh *m, int holes, const char *name)
     mesh_free(m);
 }
 
-void shapes_are_closed(void)
+static void shapes_are_closed(void)
 {
     struct mesh m = {0};
     for (int cuts = 0; cuts < 3; cuts++) {
@@ -77,7 +77,7 @@ void shapes_are_closed(void)
     mesh_free(&m);
 }
 
-void equal_nodes_are_merged(void)
+static void equal_nodes_are_merged(void)
 {
     struct mesh m = {0};
     mesh_add_node(&m, 0, 0, 0);
@@ -164,7 +164,7 @@ static void check_mesh(uint32_t nodes, uint32_t triangles,
     mesh_free(&m);
 }
 
-void meshes_are_read(void)
+static void meshes_are_read(void)
 {
     unsigned char bytes[184];
     write_file(".off", off, sizeof off - 1);
@@ -177,7 +177,7 @@ void meshes_are_read(void)
     check_mesh(4, 2, "STL, binary");
 }
 
-void bad_meshes_are_refused(void)
+static void bad_meshes_are_refused(void)
 {
     static const struct {
         const char *ending, *text, *sentence;
@@ -240,7 +240,7 @@ static void read_and_say_so(void *unused)
     exit(2);
 }
 
-void hostile_bytes_end_in_a_sentence(void)
+static void hostile_bytes_end_in_a_sentence(void)
 {
     static const char *const texts[] = {off, obj, stl};
     static const char *const endings[] = {".off", ".obj", ".stl",
@@ -267,4 +267,13 @@ void hostile_bytes_end_in_a_sentence(void)
         CHECK_FAILS("expected", read_and_say_so, NULL, "case %u", k);
         unlink(path);
     }
+}
+
+int main(void)
+{
+    return RUN_TESTS("contact", TEST(shapes_are_closed),
+                     TEST(equal_nodes_are_merged),
+                     TEST(meshes_are_read),
+                     TEST(bad_meshes_are_refused),
+                     TEST(hostile_bytes_end_in_a_sentence));
 }
