@@ -270,9 +270,9 @@ void a_resting_cloth_has_no_contact(void)
 
 void a_folding_cloth_has_contacts(void)
 {
-    struct simulation s = simulate("cloth", 16, "clusters", 2);
+    struct simulation s = simulate("cloth", 14, "clusters", 1);
     uint64_t events = 0;
-    for (int step = 0; step < 60; step++) {
+    for (int step = 0; step < 45; step++) {
         events += take_step(&s).events;
         if (step % 10 == 9)
             CHECK_INT(0, count_crossing(&s), "step %d", step);
