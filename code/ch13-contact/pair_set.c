@@ -29,7 +29,7 @@ void pair_set_free(struct pair_set *set)
 
 void pair_set_clear(struct pair_set *set)
 {
-    memset(set->slot, 0xff, sizeof *set->slot << set->bits);
+    memset(set->slot, 0xff, sizeof *set->slot << set->slot_bits);
     set->count = 0;
 }
 //<
@@ -38,12 +38,12 @@ void pair_set_clear(struct pair_set *set)
 // The slot that has it, or the empty one where it would be.
 static uint64_t home_of(const struct pair_set *set, uint64_t pair)
 {
-    return (pair * 0x9e3779b97f4a7c15) >> (64 - set->bits);
+    return (pair * 0x9e3779b97f4a7c15) >> (64 - set->slot_bits);
 }
 
 static uint64_t slot_of(const struct pair_set *set, uint64_t pair)
 {
-    const uint64_t last = ((uint64_t)1 << set->bits) - 1;
+    const uint64_t last = ((uint64_t)1 << set->slot_bits) - 1;
     uint64_t s = home_of(set, pair);
     while (set->slot[s] != pair && set->slot[s] != NO_PAIR)
         s = (s + 1) & last;
@@ -60,8 +60,8 @@ static uint64_t key_of_pair(uint32_t i, uint32_t j)
 static void double_slots(struct pair_set *set)
 {
     const uint64_t *old = set->slot;
-    const uint64_t count = (uint64_t)1 << set->bits;
-    set->slot = empty_slots(++set->bits);
+    const uint64_t count = (uint64_t)1 << set->slot_bits;
+    set->slot = empty_slots(++set->slot_bits);
     for (uint64_t s = 0; s < count; s++)
         if (old[s] != NO_PAIR)
             set->slot[slot_of(set, old[s])] = old[s];
@@ -70,7 +70,7 @@ static void double_slots(struct pair_set *set)
 
 void pair_set_add(struct pair_set *set, uint32_t i, uint32_t j)
 {
-    if (set->count >> (set->bits - 1))
+    if (set->count >> (set->slot_bits - 1))
         double_slots(set);
     const uint64_t pair = key_of_pair(i, j);
     const uint64_t s = slot_of(set, pair);
@@ -84,7 +84,7 @@ void pair_set_add(struct pair_set *set, uint32_t i, uint32_t j)
 // there: if its home is not between the gap and where it is.
 void pair_set_remove(struct pair_set *set, uint32_t i, uint32_t j)
 {
-    const uint64_t last = ((uint64_t)1 << set->bits) - 1;
+    const uint64_t last = ((uint64_t)1 << set->slot_bits) - 1;
     uint64_t gap = slot_of(set, key_of_pair(i, j));
     if (set->slot[gap] == NO_PAIR)
         return;
@@ -104,7 +104,7 @@ void pair_set_remove(struct pair_set *set, uint32_t i, uint32_t j)
 //> List the set
 void pair_set_list(const struct pair_set *set, struct pair_list *list)
 {
-    const uint64_t count = (uint64_t)1 << set->bits;
+    const uint64_t count = (uint64_t)1 << set->slot_bits;
     for (uint64_t s = 0; s < count; s++)
         if (set->slot[s] != NO_PAIR)
             pair_add(list, (uint32_t)(set->slot[s] >> 32),

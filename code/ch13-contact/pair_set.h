@@ -7,7 +7,7 @@
 //> Hold a set of pairs
 struct pair_set {
     uint64_t *slot; // a pair each, or NO_PAIR
-    int bits;       // 2^bits slots, at least twice as many as pairs
+    int slot_bits; // 2^slot_bits slots, at least twice as many as pairs
     uint64_t count;
 };
 //<
