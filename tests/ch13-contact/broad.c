@@ -11,7 +11,17 @@
 enum { MOST = 300 };
 
 // ---- boxes ---------------------------------------------------------
-enum kind { EVEN, EQUAL, SIZES, FLAT, LINE, POINTS, SAME_LOW, KINDS };
+enum kind {
+    EVEN,
+    EQUAL,
+    SIZES,
+    FLAT,
+    LINE,
+    POINTS,
+    SAME_LOW,
+    LATTICE,
+    KINDS
+};
 
 static double draw_width(enum kind kind, struct random *random)
 {
@@ -22,6 +32,8 @@ static double draw_width(enum kind kind, struct random *random)
         return pow(2, -60 * random_uniform(random));
     case POINTS:
         return 0;
+    case LATTICE: // many touch
+        return random_bits(random) % 3;
     default:
         return 0.2 * random_uniform(random);
     }
@@ -39,6 +51,8 @@ static void draw_boxes(struct boxes *boxes, uint32_t n, enum kind kind,
                 low = 0.5;
             if (kind == POINTS || kind == SAME_LOW)
                 low = floor(4 * low) / 4;
+            if (kind == LATTICE)
+                low = floor(30 * low);
             boxes->low[k][t] = low;
             boxes->high[k][t] = low + draw_width(kind, random);
             if (kind == FLAT && k == 2)
@@ -47,13 +61,17 @@ static void draw_boxes(struct boxes *boxes, uint32_t n, enum kind kind,
 }
 
 // Boxes go some way, and some have a new width.
-static void move_boxes(struct boxes *boxes, struct random *random)
+static void move_boxes(struct boxes *boxes, enum kind kind,
+                       struct random *random)
 {
     for (uint32_t t = 0; t < boxes->n; t++)
         for (int k = 0; k < 3; k++) {
-            const double by = 0.05 * (random_uniform(random) - 0.5);
             const double width = boxes->high[k][t] - boxes->low[k][t];
-            const bool grows = random_bits(random) % 64 == 0;
+            const bool grows =
+                kind != LATTICE && random_bits(random) % 64 == 0;
+            double by = 0.05 * (random_uniform(random) - 0.5);
+            if (kind == LATTICE)
+                by = (double)(random_bits(random) % 3) - 1;
             boxes->low[k][t] += by;
             boxes->high[k][t] =
                 boxes->low[k][t] + (grows ? 3 * width + 0.01 : width);
@@ -131,7 +149,7 @@ static void run_row(const struct broad *row, uint32_t n, enum kind kind,
               "%s, %u boxes, kind %d, step %d, %d threads", row->name,
               n, kind, step, threads);
         check_sorted(&found, n, row->name);
-        move_boxes(&boxes, &random);
+        move_boxes(&boxes, kind, &random);
     }
     row->end(kept);
     boxes_free(&boxes);

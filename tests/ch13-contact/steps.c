@@ -204,8 +204,9 @@ void a_pile_stays_apart(void)
         candidates[step >= steps / 2] += report.candidates;
         CHECK_INT(0, count_crossing(&s), "step %u", step);
     }
-    CHECK(2 * candidates[1] > 3 * candidates[0], "candidates: %u, then %u",
-          (unsigned)candidates[0], (unsigned)candidates[1]);
+    CHECK(2 * candidates[1] > 3 * candidates[0],
+          "candidates: %u, then %u", (unsigned)candidates[0],
+          (unsigned)candidates[1]);
     CHECK(steps < 400 || highest(&s.scene) < 0.7 * begin,
           "from %g down to %g", begin, highest(&s.scene));
     CHECK(highest(&s.scene) < 1.2 * begin, "nothing flies off");
