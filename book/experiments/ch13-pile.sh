@@ -1,0 +1,3 @@
+#!/bin/sh
+# A pile over its steps
+exec "$BUILD/ch13/pile" ${FULL:+200 500}

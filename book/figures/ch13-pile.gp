@@ -1,0 +1,18 @@
+# A pile over its steps.
+# alt: Candidates, pairs that twelve directions leave, and touches, over
+# the steps of a pile, on a logarithmic axis. All rise steeply while the
+# bodies land, until about step 200, and are then nearly level.
+# demo: plot
+height = 2.7
+load "book/figures/style.gp"
+table = data . "/ch13-pile.tsv"
+above(x) = x > 0 ? x : NaN
+set logscale y
+set format y powers
+set xlabel "step"
+set ylabel "pairs or touches"
+set key bottom right
+set datafile missing NaN
+plot table using "step":(above(column("candidates"))) title "candidates", \
+  table using "step":(above(column("narrow"))) title "left by twelve directions", \
+  table using "step":(above(column("touches"))) title "touches"

@@ -1,0 +1,59 @@
+// A pile over its steps: bodies fall, touch and come to rest. Counts of
+// some steps, the energy of motion, the height of the middle of all,
+// and how many pairs of triangles cross afterwards: none.
+//
+//     pile [BODIES [STEPS [ROWS]]]
+#include "ch13-contact/experiments/setting.h"
+
+struct state {
+    double energy, height;
+};
+
+// Of a body on average, in units of its mass.
+static struct state state_of(const struct scene *scene)
+{
+    struct state state = {0};
+    double bodies = 0;
+    for (uint32_t b = 0; b < scene->bodies; b++) {
+        const struct body *body = &scene->body[b];
+        if (body->motion != RIGID)
+            continue;
+        bodies++;
+        state.height += body->place[2];
+        for (int k = 0; k < 3; k++)
+            state.energy += 0.5 * body->velocity[k] * body->velocity[k];
+    }
+    state.energy /= bodies;
+    state.height /= bodies;
+    return state;
+}
+
+int main(int argc, char **argv)
+{
+    struct experiment e = experiment_begin(argc, argv);
+    const uint32_t bodies = parameter(&e, "BODIES", 60, 1, 100000);
+    const uint32_t steps = parameter(&e, "STEPS", 300, 1, MANY);
+    const uint32_t rows = parameter(&e, "ROWS", 30, 1, MANY);
+    const struct built_in *pile = find_built_in("pile");
+    struct simulation s =
+        simulation_of(build_scene(pile, bodies, 1),
+                      find_broad("clusters"), pile->dt, 1);
+    const uint32_t gap = (steps + rows - 1) / rows;
+    columns(&e, "name step bodies triangles tested candidates narrow "
+                "events touches stopped rounds energy height crossing");
+    for (uint32_t step = 1; step <= steps; step++) {
+        const struct step_report report = take_step(&s);
+        if (step % gap != 0)
+            continue;
+        const struct state state = state_of(&s.scene);
+        row("step_%u\t%u\t%u\t%u\t%.0f\t%.0f\t%.0f\t%.0f\t%u\t%.4g"
+            "\t%u\t%.5g\t%.5g\t%.0f",
+            step, step, bodies, s.scene.mesh.triangles,
+            (double)report.tested, (double)report.candidates,
+            (double)(report.candidates - report.apart),
+            (double)report.events, report.touches,
+            (double)report.stopped / s.scene.mesh.nodes, report.rounds,
+            state.energy, state.height, (double)count_crossing(&s));
+    }
+    simulation_free(&s);
+}

@@ -1,0 +1,60 @@
+// See setting.h.
+#include "ch13-contact/experiments/setting.h"
+#include "ch13-contact/motion.h"
+#include <math.h>
+
+enum { EACH = 69 }; // triangles of a body, on average
+
+struct simulation cloud_of(uint32_t triangles, bool giant,
+                           const struct broad *broad, double dt)
+{
+    const uint32_t bodies = triangles / EACH + 1;
+    struct scene scene = build_scene(
+        find_built_in(giant ? "giant" : "cloud"), bodies, 1);
+    struct simulation s = simulation_of(scene, broad, dt, 1);
+    s.passive = true;
+    s.dt = 1;
+    for (int step = 0; step < 2; step++) {
+        scene_predict(&s.scene, s.dt, 1);
+        go_on(&s);
+    }
+    s.dt = dt;
+    return s;
+}
+
+double time_broad(struct simulation *s)
+{
+    scene_predict(&s->scene, s->dt, s->threads);
+    capture(&s->boxes, &s->scene, s->tolerance, s->threads);
+    const struct broad_search search = {&s->boxes, s->scene.group,
+                                        &s->pairs, s->threads};
+    const int64_t start = clock_ns();
+    find_pairs(s->broad, s->kept, &search);
+    return (double)(clock_ns() - start);
+}
+
+// A body that leaves the space in which all began turns round.
+static void turn_round(struct body *body, double side)
+{
+    for (int k = 0; k < 3; k++)
+        if ((body->place[k] < 0 && body->velocity[k] < 0) ||
+            (body->place[k] > side && body->velocity[k] > 0))
+            body->velocity[k] *= -1;
+}
+
+void go_on(struct simulation *s)
+{
+    const double side = 2 * ceil(cbrt(s->scene.bodies)) - 2;
+    for (uint32_t b = 0; b < s->scene.bodies; b++) {
+        struct body *body = &s->scene.body[b];
+        if (body->motion != RIGID)
+            continue;
+        const struct pose pose = pose_after(body, s->dt);
+        memcpy(body->place, pose.place, sizeof pose.place);
+        memcpy(body->turn, pose.turn, sizeof pose.turn);
+        turn_round(body, side);
+    }
+    for (int k = 0; k < 3; k++)
+        memcpy(s->scene.mesh.x[k], s->scene.end[k],
+               s->scene.mesh.nodes * sizeof(double));
+}
