@@ -34,14 +34,14 @@ LDLIBS   := -lm
 # ---- what there is -------------------------------------------------
 chapters  := $(patsubst code/ch%,%,$(wildcard code/ch*))
 modules     := $(wildcard code/*.c code/common/*.c code/ch*/*.c)
-clients     := $(wildcard code/ch*/experiments/*.c code/near/*.c code/range/*.c code/peers/*.c)
+clients     := $(wildcard code/ch*/experiments/*.c code/near/*.c code/range/*.c code/contact/*.c code/peers/*.c)
 sources     := $(modules) $(clients)
 # What has no .h is a program; the rest is shared by programs and tests.
 shared      := $(foreach c,$(clients),$(if $(wildcard $(c:.c=.h)),$(c)))
-mains       := $(filter-out $(shared) code/near/% code/range/% code/peers/%,$(clients))
+mains       := $(filter-out $(shared) code/near/% code/range/% code/contact/% code/peers/%,$(clients))
 chapter_of   = ch$(firstword $(subst -, ,$(patsubst code/ch%,%,$(1))))
 program_of   = $(BUILD)/$(call chapter_of,$(1))/$(basename $(notdir $(1)))
-programs    := $(BUILD)/near $(BUILD)/range $(foreach c,$(mains),$(call program_of,$(c)))
+programs    := $(BUILD)/near $(BUILD)/range $(BUILD)/contact $(foreach c,$(mains),$(call program_of,$(c)))
 
 # gnuplot wants to know that degrees and dashes are written in UTF-8.
 export LC_ALL = C.UTF-8
@@ -139,6 +139,7 @@ $(1): $(2) $(charconv) $(if $(wildcard $(1).d),|) $(libraries)
 endef
 $(eval $(call link_rule,$(BUILD)/near,$(BUILD)/plain/near/near.o))
 $(eval $(call link_rule,$(BUILD)/range,$(BUILD)/plain/range/range.o))
+$(eval $(call link_rule,$(BUILD)/contact,$(BUILD)/plain/contact/contact.o))
 $(foreach c,$(mains),$(eval $(call link_rule,$(call program_of,$(c)),$(call object_of,$(c)))))
 
 # ---- tests ---------------------------------------------------------
@@ -171,7 +172,7 @@ $(foreach f,$(test_folders),$(eval $(call link_rule,$(BUILD)/tests/$(f),$(call t
 no_program    := exercises export grade manual press release sheet
 
 # The press runs what the book shows; the other tests want near at most.
-tried := $(if $(filter exercises grade manual press sheet,$(TESTS)),$(programs),$(BUILD)/near $(BUILD)/range)
+tried := $(if $(filter exercises grade manual press sheet,$(TESTS)),$(programs),$(BUILD)/near $(BUILD)/range $(BUILD)/contact)
 
 #: every test: programs, command line, press, exercises
 test: $(tried) $(filter $(TESTS:%=$(BUILD)/tests/%),$(test_programs)) \
@@ -458,7 +459,7 @@ check-memory: | $(BUILD)/setup/test
 # OpenMP's pragmas make the analyzer see values that nothing has set, so
 # it reads the programs as one thread would run them.
 analyzed := $(patsubst code/%.c,$(BUILD)/analyzed/%.o,\
-	$(modules) $(wildcard code/near/*.c code/range/*.c))
+	$(modules) $(wildcard code/near/*.c code/range/*.c code/contact/*.c))
 
 #: gcc's static analyzer on every module
 analyze: $(analyzed)

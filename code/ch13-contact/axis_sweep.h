@@ -1,0 +1,23 @@
+//> Declare the sweep along an axis
+// Boxes in the order of their low ends along one axis. From each, the
+// boxes that follow are looked at, up to the first that begins behind
+// its end (Baraff 1992).
+#pragma once
+#include "ch13-contact/broad.h"
+
+// With the order sorted anew in each step, or kept and repaired by
+// insertion, as things that move little leave it almost sorted.
+void *begin_sweep(const struct broad *broad);
+void *begin_sweep_kept(const struct broad *broad);
+void find_by_sweep(void *kept, const struct broad_search *search);
+void end_sweep(void *kept);
+
+// Puts n numbers of boxes, order[], in the order of x[], by insertion;
+// by sorting anew, with room for 2 n records, where that would take
+// more than 16 moves for each. Says how many moves there were.
+struct radix_record;
+uint64_t repair_order(const double *x, uint32_t *order, uint32_t n,
+                      struct radix_record *room);
+void sort_order(const double *x, uint32_t *order, uint32_t n,
+                struct radix_record *room);
+//<

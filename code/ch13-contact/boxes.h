@@ -1,0 +1,35 @@
+//> Declare the capture boxes
+// A box for each triangle that it does not leave during a step.
+#pragma once
+#include "ch13-contact/scene.h"
+#include <stdbool.h>
+
+//> Hold boxes
+struct boxes {
+    uint32_t n, room;
+    double *low[3], *high[3]; // low[k][t]: of triangle t
+};
+//<
+
+// The boxes of all triangles over the step from mesh.x to end; the room
+// for them is kept from step to step. {0} is empty; released with
+// boxes_free. Two triangles have a contact event at this tolerance
+// (events.h) only if their boxes meet.
+void capture(struct boxes *boxes, const struct scene *scene,
+             double tolerance, int threads);
+void boxes_reserve(struct boxes *boxes, uint32_t n);
+void boxes_free(struct boxes *boxes);
+
+//> Test whether two boxes meet
+// To touch is to meet.
+static inline bool boxes_meet(const struct boxes *boxes, uint32_t i,
+                              uint32_t j)
+{
+    bool meet = true;
+    for (int k = 0; k < 3; k++)
+        meet &= (boxes->low[k][i] <= boxes->high[k][j]) &
+                (boxes->low[k][j] <= boxes->high[k][i]);
+    return meet;
+}
+//<
+//<

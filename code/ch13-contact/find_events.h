@@ -1,0 +1,59 @@
+//> Declare the search for events
+// The narrow phase over all candidates: each pair whose boxes meet is
+// tested, and an event that several pairs report is kept once.
+#pragma once
+#include "ch13-contact/events.h"
+#include "ch13-contact/pairs.h"
+
+//> Hold the events of a step
+struct event_list {
+    struct event *event;
+    uint64_t count, room;
+    uint64_t hits;              // pairs that have an event
+    uint64_t pairs;             // that were tested
+    uint64_t apart;             // and separated (kept_apart.h)
+    struct event_counts counts; // of the tests
+    int64_t ns;                 // that this thread worked
+};
+
+struct events {
+    struct event_list all;   // sorted, each node and face, each two
+                             // edges once: the earliest
+    struct event_list *list; // of each thread
+    int threads;
+};
+//<
+
+//> Hold a search for events
+// With still[], only pairs are tested in which a node came to rest in
+// this round and another one moves: still[i] is the round in which node
+// i came to rest, 0 if it moves. With still NULL, all pairs.
+struct event_search {
+    const struct scene *scene;
+    const struct pairs *pairs;
+    double tolerance;
+    const uint32_t *still;
+    uint32_t round;
+    int threads;
+};
+//<
+
+// The events of all pairs, in the order of their kinds and nodes; the
+// ends of an edge, and then its two edges, lowest node first. {0} holds
+// none; released with events_free. The order and the events are the
+// same for any number of threads.
+void find_events(struct events *events,
+                 const struct event_search *search);
+void events_free(struct events *events);
+
+// By kind and nodes alone.
+int compare_features(const struct event *a, const struct event *b);
+
+// Of the pairs, how many share a point at rest, where the nodes are
+// now, decided exactly; and the first that does, pairs->count if none
+// does. Pairs that share a node are not asked.
+uint64_t count_meeting(const struct scene *scene,
+                       const struct pairs *pairs, int threads);
+uint64_t first_meeting(const struct scene *scene,
+                       const struct pairs *pairs);
+//<

@@ -1,0 +1,201 @@
+//> Advance bodies by steps
+// What has an event stays where it was; that may be in the way of what
+// moves, and so it goes on, in rounds, until nothing that moves has an
+// event. In the worst case nothing moves at all, and what was apart is
+// apart. Boxes over the whole step hold a body that stays as well: the
+// candidates are found once.
+#include "ch13-contact/step.h"
+#include "common/allocate.h"
+#include "common/clock.h"
+#include <stdlib.h>
+#include <string.h>
+
+//> Set up a simulation
+struct simulation simulation_of(struct scene scene,
+                                const struct broad *broad, double dt,
+                                int threads)
+{
+    return (struct simulation){
+        .scene = scene,
+        .broad = broad,
+        .kept = broad->begin(broad),
+        .dt = dt,
+        .tolerance = 1e-9,
+        .threads = threads,
+        .touches = {.friction = 0.4, .life = 8, .rounds = 10},
+        .still = allocate(scene.mesh.nodes, sizeof(uint32_t))};
+}
+
+void simulation_free(struct simulation *s)
+{
+    s->broad->end(s->kept);
+    scene_free(&s->scene);
+    boxes_free(&s->boxes);
+    pairs_free(&s->pairs);
+    events_free(&s->events);
+    events_free(&s->more);
+    touches_free(&s->touches);
+    free(s->still);
+}
+//<
+
+//> Let nodes stay
+// A rigid body stays as a whole, of a soft one only the node. Says how
+// many nodes had moved until then.
+static uint32_t stay(struct simulation *s, uint32_t node,
+                     uint32_t round)
+{
+    struct scene *scene = &s->scene;
+    const struct body *body = &scene->body[scene->body_of_node[node]];
+    if (s->still[node])
+        return 0;
+    const bool rigid = body->motion == RIGID;
+    const uint32_t begin = rigid ? body->begin.node : node;
+    const uint32_t end = rigid ? body->end.node : node + 1;
+    for (uint32_t i = begin; i < end; i++) {
+        s->still[i] = round;
+        for (int k = 0; k < 3; k++)
+            scene->end[k][i] = scene->mesh.x[k][i];
+    }
+    return end - begin;
+}
+//<
+
+//> Stop until nothing touches
+// Round 1 is for what cannot move at all.
+static void begin_rounds(struct simulation *s)
+{
+    const struct scene *scene = &s->scene;
+    for (uint32_t i = 0; i < scene->mesh.nodes; i++) {
+        const uint32_t b = scene->body_of_node[i];
+        s->still[i] = scene->body[b].motion == FIXED;
+    }
+}
+
+static void stop_in_rounds(struct simulation *s,
+                           struct step_report *report)
+{
+    const struct events *events = &s->events;
+    struct event_search search = {&s->scene, &s->pairs,  s->tolerance,
+                                  s->still,  .round = 2, s->threads};
+    begin_rounds(s);
+    for (;;) {
+        uint32_t fresh = 0;
+        for (uint64_t e = 0; e < events->all.count; e++)
+            for (int k = 0; k < 4; k++)
+                fresh +=
+                    stay(s, events->all.event[e].node[k], search.round);
+        report->stopped += fresh;
+        report->rounds++;
+        if (fresh == 0)
+            break;
+        find_events(&s->more, &search);
+        remember(&s->touches, &s->scene, &s->more);
+        events = &s->more;
+        search.round++;
+    }
+}
+//<
+
+//> Go where nothing is in the way
+static void advance(struct simulation *s)
+{
+    struct scene *scene = &s->scene;
+    for (uint32_t b = 0; b < scene->bodies; b++) {
+        struct body *body = &scene->body[b];
+        if (body->motion != RIGID || s->still[body->begin.node])
+            continue;
+        const struct pose pose = pose_after(body, s->dt);
+        memcpy(body->place, pose.place, sizeof pose.place);
+        memcpy(body->turn, pose.turn, sizeof pose.turn);
+    }
+    for (int k = 0; k < 3; k++)
+        memcpy(scene->mesh.x[k], scene->end[k],
+               scene->mesh.nodes * sizeof(double));
+}
+//<
+
+//> Handle the events
+static void handle(struct simulation *s, struct step_report *report)
+{
+    if (s->passive) {
+        begin_rounds(s);
+    } else {
+        grow_old(&s->touches);
+        remember(&s->touches, &s->scene, &s->events);
+        stop_in_rounds(s, report);
+    }
+    advance(s);
+}
+//<
+
+//> Narrow down the pairs
+static void search_boxes(struct simulation *s)
+{
+    const struct broad_search search = {&s->boxes, s->scene.group,
+                                        &s->pairs, s->threads};
+    find_pairs(s->broad, s->kept, &search);
+}
+
+static void search_pairs(struct simulation *s)
+{
+    const struct event_search search = {.scene = &s->scene,
+                                        .pairs = &s->pairs,
+                                        .tolerance = s->tolerance,
+                                        .threads = s->threads};
+    find_events(&s->events, &search);
+}
+
+static void predict(struct simulation *s)
+{
+    scene_accelerate(&s->scene, s->dt);
+    push_apart(&s->touches, &s->scene);
+    scene_predict(&s->scene, s->dt, s->threads);
+}
+//<
+
+//> Take a step
+struct step_report take_step(struct simulation *s)
+{
+    struct step_report report = {0};
+    int64_t begin[PHASES + 1] = {clock_ns()};
+    predict(s);
+    begin[CAPTURE] = clock_ns();
+    capture(&s->boxes, &s->scene, s->tolerance, s->threads);
+    begin[BROAD] = clock_ns();
+    search_boxes(s);
+    begin[NARROW] = clock_ns();
+    search_pairs(s);
+    begin[HANDLE] = clock_ns();
+    handle(s, &report);
+    begin[PHASES] = clock_ns();
+    for (int phase = 0; phase < PHASES; phase++)
+        report.ns[phase] = begin[phase + 1] - begin[phase];
+    report.tested = s->pairs.tested;
+    report.candidates = s->pairs.count;
+    report.apart = s->events.all.apart;
+    report.hits = s->events.all.hits;
+    report.events = s->events.all.count;
+    report.tests = s->events.all.counts;
+    report.touches = s->touches.count;
+    return report;
+}
+//<
+
+//> Count what crosses
+void search_now(struct simulation *s)
+{
+    for (int k = 0; k < 3; k++)
+        memcpy(s->scene.end[k], s->scene.mesh.x[k],
+               s->scene.mesh.nodes * sizeof(double));
+    capture(&s->boxes, &s->scene, s->tolerance, s->threads);
+    search_boxes(s);
+}
+
+uint64_t count_crossing(struct simulation *s)
+{
+    search_now(s);
+    return count_meeting(&s->scene, &s->pairs, s->threads);
+}
+//<
+//<

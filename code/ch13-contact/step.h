@@ -1,0 +1,58 @@
+//> Declare the step
+// The lecture's loop: predict the nodes, capture triangles in boxes,
+// find pairs of boxes that meet, find events among these pairs; then
+// handle the events, and advance.
+#pragma once
+#include "ch13-contact/broad.h"
+#include "ch13-contact/respond.h"
+
+//> Hold what a step cost
+enum phase { PREDICT, CAPTURE, BROAD, NARROW, HANDLE, PHASES };
+
+struct step_report {
+    uint64_t tested;     // pairs of boxes that were looked at
+    uint64_t candidates; // pairs whose boxes meet
+    uint64_t apart;      // of these, separated by an axis
+    uint64_t hits;       // of the others, pairs with an event
+    uint64_t events;     // each once
+    uint32_t touches;    // remembered
+    uint32_t stopped;    // nodes that stay where they are
+    uint32_t rounds;     // until nothing touches
+    struct event_counts tests;
+    int64_t ns[PHASES];
+};
+//<
+
+//> Hold a simulation
+// All arrays are kept from step to step. Bodies are apart at the
+// beginning; then they are apart after every step.
+struct simulation {
+    struct scene scene;
+    const struct broad *broad;
+    void *kept; // by the broad phase
+    double dt, tolerance;
+    int threads;
+    bool passive; // events are found, and not handled
+    struct boxes boxes;
+    struct pairs pairs;
+    struct events events; // of the last step
+    struct events more;   // of the rounds after the first
+    struct touches touches;
+    uint32_t *still; // of each node: see find_events.h
+};
+//<
+
+// Takes a complete scene, whose owner it is from then on; so many
+// threads. Released with simulation_free.
+struct simulation simulation_of(struct scene scene,
+                                const struct broad *broad, double dt,
+                                int threads);
+void simulation_free(struct simulation *simulation);
+
+struct step_report take_step(struct simulation *simulation);
+
+// The pairs of triangles whose boxes meet as they are now, at rest; and
+// how many of them share a point, decided exactly.
+void search_now(struct simulation *simulation);
+uint64_t count_crossing(struct simulation *simulation);
+//<

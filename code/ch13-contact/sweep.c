@@ -1,0 +1,169 @@
+//> Find when a polygon sweeps over the origin
+// Guess, then prove; if neither succeeds, halve. The guess is the point
+// of the polygon that is nearest to the origin, as computed, however
+// rounded. Either its direction proves that this piece of the motion
+// misses the origin, or it is so near that it is reported, or the piece
+// is halved: in time, and in place when it hardly moves any more.
+#include "ch13-contact/sweep.h"
+#include "ch13-contact/foot.h"
+#include "ch13-contact/vectors.h"
+#include <assert.h>
+
+//> Hold a piece of the motion
+// Of the polygon a part, over a part of the time.
+struct piece {
+    double time[2];
+    struct sweep sweep; // with places at these two times
+};
+//<
+
+//> Take a polygon at one time
+// At the beginning, share 0, or in the middle, 0.5.
+static struct polygon polygon_at(const struct sweep *sweep,
+                                 double share)
+{
+    struct polygon polygon = {sweep->corners, {{0}}};
+    for (int k = 0; k < sweep->corners; k++)
+        for (int x = 0; x < 3; x++)
+            polygon.place[k][x] =
+                (1 - share) * sweep->corner[k].place[0][x] +
+                share * sweep->corner[k].place[1][x];
+    return polygon;
+}
+//<
+
+//> Report a foot that is near
+// Its shares are in [0, 1] or all but, so it is a point of the polygon
+// but for rounding, whichever way it was found.
+static bool report(const struct piece *piece, const struct foot *foot,
+                   struct sweep_search *search)
+{
+    if (dot(foot->place, foot->place) > search->near * search->near)
+        return false;
+    const struct sweep_corner *corner = piece->sweep.corner;
+    const double *a = corner[foot->corner[0]].at;
+    const double *b = corner[foot->corner[1]].at;
+    const double *c = corner[foot->corner[2]].at;
+    search->hit.time = piece->time[0];
+    for (int k = 0; k < 2; k++)
+        search->hit.at[k] = a[k] + foot->share[0] * (b[k] - a[k]) +
+                            foot->share[1] * (c[k] - a[k]);
+    return true;
+}
+//<
+
+//> Measure how far a piece moves
+static double motion_of(const struct sweep *sweep)
+{
+    double motion = 0;
+    for (int k = 0; k < sweep->corners; k++) {
+        double way[3];
+        subtract(sweep->corner[k].place[1], sweep->corner[k].place[0],
+                 way);
+        motion = fmax(motion, largest(way));
+    }
+    return motion;
+}
+//<
+
+static bool find(const struct piece *piece,
+                 struct sweep_search *search);
+
+//> Halve a piece in time
+static bool find_sooner_or_later(const struct piece *piece,
+                                 struct sweep_search *search)
+{
+    struct piece sooner = *piece, later = *piece;
+    sooner.time[1] = later.time[0] =
+        (piece->time[0] + piece->time[1]) / 2;
+    const struct polygon middle = polygon_at(&piece->sweep, 0.5);
+    for (int k = 0; k < middle.corners; k++)
+        for (int x = 0; x < 3; x++)
+            sooner.sweep.corner[k].place[1][x] =
+                later.sweep.corner[k].place[0][x] = middle.place[k][x];
+    return find(&sooner, search) || find(&later, search);
+}
+//<
+
+//> Find the middle of two corners
+static struct sweep_corner middle_of(const struct sweep_corner *a,
+                                     const struct sweep_corner *b)
+{
+    struct sweep_corner middle;
+    for (int k = 0; k < 2; k++)
+        middle.at[k] = (a->at[k] + b->at[k]) / 2;
+    for (int end = 0; end < 2; end++)
+        for (int x = 0; x < 3; x++)
+            middle.place[end][x] =
+                (a->place[end][x] + b->place[end][x]) / 2;
+    return middle;
+}
+//<
+
+//> Halve a piece in place
+// A triangle from its corner 0 to the middle, 3, of the side across; a
+// parallelogram from the middle, 4, of its first side to that, 5, of
+// the third. The halves' corners are in such an order that two such
+// cuts halve all sides.
+static bool find_here_or_there(const struct piece *piece,
+                               struct sweep_search *search)
+{
+    static const int half[2][2][4] = {{{3, 0, 1}, {3, 2, 0}},
+                                      {{4, 5, 3, 0}, {1, 2, 5, 4}}};
+    const int corners = piece->sweep.corners;
+    struct sweep_corner corner[6];
+    for (int k = 0; k < corners; k++)
+        corner[k] = piece->sweep.corner[k];
+    if (corners == 3) {
+        corner[3] = middle_of(&corner[1], &corner[2]);
+    } else {
+        corner[4] = middle_of(&corner[0], &corner[1]);
+        corner[5] = middle_of(&corner[2], &corner[3]);
+    }
+    for (int h = 0; h < 2; h++) {
+        struct piece part = *piece;
+        for (int k = 0; k < corners; k++)
+            part.sweep.corner[k] = corner[half[corners - 3][h][k]];
+        if (find(&part, search))
+            return true;
+    }
+    return false;
+}
+//<
+
+//> Give up, report, or halve a piece
+// Never without end: a piece that moves by no more than fine, with
+// sides no longer than that, is less than 3 fine wide. If its box does
+// not miss the origin, all of it is near.
+static bool find(const struct piece *piece, struct sweep_search *search)
+{
+    search->pieces++;
+    if (sweep_box_misses(&piece->sweep, search->allowance))
+        return false;
+    const struct polygon middle = polygon_at(&piece->sweep, 0.5);
+    const struct foot guess = nearest_foot(&middle);
+    if (sweep_is_beside(&piece->sweep, guess.normal, search->allowance))
+        return false;
+    const struct polygon first = polygon_at(&piece->sweep, 0);
+    const struct foot foot = nearest_foot(&first);
+    if (report(piece, &foot, search))
+        return true;
+    return motion_of(&piece->sweep) > search->fine
+               ? find_sooner_or_later(piece, search)
+               : find_here_or_there(piece, search);
+}
+//<
+
+//> Find where a sweep meets the origin
+bool sweep_find(const struct sweep *sweep, double size,
+                double tolerance, struct sweep_search *search)
+{
+    assert(tolerance >= 0x1p-40 * size && "or halving has no end");
+    search->near = 0.875 * tolerance;
+    search->fine = 0.125 * tolerance;
+    search->allowance = sweep_allowance(size);
+    const struct piece all = {{0, 1}, *sweep};
+    return find(&all, search);
+}
+//<
+//<

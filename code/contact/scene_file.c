@@ -1,0 +1,159 @@
+// Words from left to right: the shape with its numbers, then words that
+// say more, with theirs.
+#include "contact/scene_file.h"
+#include "ch13-contact/read_mesh.h"
+#include "ch13-contact/shapes.h"
+#include "common/fail.h"
+#include "common/fields.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct reader {
+    struct lines lines;
+    const char *field; // the next one of the line; NULL: none
+    struct scene scene;
+};
+
+// Beyond that, squares of coordinates say nothing any more.
+static const double most_number = 1e9;
+
+static double take_number(struct reader *reader, double least,
+                          double most, const char *expected)
+{
+    double number;
+    if (!reader->field || !read_number(reader->field, ' ', &number) ||
+        !(number >= least && number <= most))
+        reject(&reader->lines, expected);
+    reader->field = next_field(reader->field, ' ');
+    return number;
+}
+
+static uint32_t take_whole(struct reader *reader, double least,
+                           double most, const char *expected)
+{
+    const double number = take_number(reader, least, most, expected);
+    if (number != floor(number))
+        reject(&reader->lines, expected);
+    return (uint32_t)number;
+}
+
+static void take_vector(struct reader *reader, double x[3],
+                        const char *expected)
+{
+    for (int k = 0; k < 3; k++)
+        x[k] = take_number(reader, -most_number, most_number, expected);
+}
+
+static bool is_next(struct reader *reader, const char *word)
+{
+    if (!reader->field || !begins_with(reader->field, word))
+        return false;
+    reader->field = next_field(reader->field, ' ');
+    return true;
+}
+
+static void take_file(struct reader *reader)
+{
+    if (!reader->field)
+        reject(&reader->lines, "file and the name of a mesh");
+    const char *scene = reader->lines.stream->name;
+    const char *slash = strrchr(scene, '/');
+    const char *end = field_end(reader->field, ' ');
+    const int length = (int)(end - reader->field);
+    const int folder =
+        slash && *reader->field != '/' ? (int)(slash + 1 - scene) : 0;
+    char *name = allocate((size_t)folder + length + 1, 1);
+    snprintf(name, (size_t)folder + length + 1, "%.*s%.*s", folder,
+             scene, length, reader->field);
+    read_mesh(name, &reader->scene.mesh);
+    free(name);
+    reader->field = next_field(reader->field, ' ');
+}
+
+static void take_torus(struct reader *reader)
+{
+    static const char expected[] = "torus, the radius of the tube, and "
+                                   "two numbers of sides from 3 "
+                                   "to 10000";
+    const double tube = take_number(reader, 1e-6, 1e6, expected);
+    const uint32_t around = take_whole(reader, 3, 10000, expected);
+    const uint32_t across = take_whole(reader, 3, 10000, expected);
+    add_torus(&reader->scene.mesh, tube, around, across);
+}
+
+static void take_shape(struct reader *reader)
+{
+    struct mesh *mesh = &reader->scene.mesh;
+    if (is_next(reader, "sphere"))
+        add_sphere(mesh, take_whole(reader, 0, 8,
+                                    "sphere and its cuts, 0 to 8"));
+    else if (is_next(reader, "torus"))
+        take_torus(reader);
+    else if (is_next(reader, "box"))
+        add_box(mesh, take_whole(reader, 1, 1000,
+                                 "box and its cuts, 1 to 1000"));
+    else if (is_next(reader, "cloth"))
+        add_cloth(mesh, take_whole(reader, 1, 1000,
+                                   "cloth and its cuts, 1 to 1000"));
+    else if (is_next(reader, "file"))
+        take_file(reader);
+    else
+        reject(&reader->lines,
+               "sphere, torus, box, cloth, file or gravity");
+}
+
+static void take_start(struct reader *reader, struct start *start)
+{
+    if (is_next(reader, "at"))
+        take_vector(reader, start->place, "at and three numbers");
+    else if (is_next(reader, "size"))
+        start->size = take_number(reader, 1e-9, most_number,
+                                  "size and a number above 0");
+    else if (is_next(reader, "velocity"))
+        take_vector(reader, start->velocity,
+                    "velocity and three numbers");
+    else if (is_next(reader, "spin"))
+        take_vector(reader, start->spin, "spin and three numbers");
+    else if (is_next(reader, "fixed"))
+        start->motion = FIXED;
+    else if (is_next(reader, "soft"))
+        start->motion = SOFT;
+    else
+        reject(&reader->lines,
+               "at, size, velocity, spin, fixed or soft");
+}
+
+static void take_line_of_scene(struct reader *reader)
+{
+    reader->field = reader->lines.line;
+    if (is_next(reader, "gravity")) {
+        take_vector(reader, reader->scene.gravity,
+                    "gravity and three numbers");
+        if (reader->field)
+            reject(&reader->lines, "gravity and three numbers");
+        return;
+    }
+    const struct mesh_end since = mesh_end(&reader->scene.mesh);
+    struct start start = {RIGID};
+    take_shape(reader);
+    while (reader->field)
+        take_start(reader, &start);
+    scene_add(&reader->scene, since, &start);
+}
+
+struct scene read_scene(const char *name)
+{
+    struct stream stream = stream_open(name);
+    stream_reserve(&stream, 2 * (size_t)LONGEST_LINE);
+    struct reader reader = {.lines = lines_of(&stream)};
+    while (next_line(&reader.lines))
+        take_line_of_scene(&reader);
+    if (reader.scene.bodies == 0)
+        fail("%s: expected bodies, found none", stream.name);
+    lines_free(&reader.lines);
+    stream_close(&stream);
+    scene_complete(&reader.scene);
+    return reader.scene;
+}
