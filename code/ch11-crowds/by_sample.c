@@ -49,9 +49,9 @@ static double density_of_sample(const struct question *question)
     return density(together, sample, PER_COARSE_CELL);
 }
 
-bool sample_is_even(const struct question *question)
+bool sample_is_even(const struct question *question, double most)
 {
-    return density_of_sample(question) <= 2 * MOST_DENSE;
+    return density_of_sample(question) <= 2 * most;
 }
 //<
 
@@ -68,9 +68,9 @@ static double density_in_cells(const struct sorted *sorted, double c)
     return density(together, sorted->points.n, c);
 }
 
-bool cells_are_even(const struct sorted *sorted, double c)
+bool cells_are_even(const struct sorted *sorted, double c, double most)
 {
-    return density_in_cells(sorted, c) <= MOST_DENSE;
+    return density_in_cells(sorted, c) <= most;
 }
 //<
 
@@ -85,7 +85,7 @@ static bool search_plane(const struct question *question,
     const struct partition partition =
         partition_make(question, c, RESTORE, workspace);
     const struct sorted *sorted = &partition.sorted;
-    if (!cells_are_even(sorted, c))
+    if (!cells_are_even(sorted, c, MOST_DENSE))
         return false;
     search_row_spans(question, &partition, workspace, wanted);
     wanted->nearest = NULL;
@@ -103,7 +103,8 @@ static bool search_wraparound(const struct question *question,
 {
     const struct partition partition =
         partition_for_both(question, wanted);
-    if (!cells_are_even(&partition.sorted, PER_CELL_FOR_BOTH))
+    if (!cells_are_even(&partition.sorted, PER_CELL_FOR_BOTH,
+                        MOST_DENSE))
         return false;
     search_near_and_far(question, &partition, wanted);
     *wanted = (struct answers){0};
@@ -126,7 +127,7 @@ static bool search_even(const struct question *question,
             wanted->furthest = NULL;
         return few;
     }
-    if (!sample_is_even(question))
+    if (!sample_is_even(question, MOST_DENSE))
         return false;
     return question->space.geometry == STANDARD
                ? search_plane(question, wanted)

@@ -12,7 +12,8 @@ search_function by_sample;
 
 // The two looks, for other searches: whether a sample shows no crowd,
 // and whether the points that are sorted into cells, c of them in each
-// on average, are even enough for a single grid.
-bool sample_is_even(const struct question *question);
-bool cells_are_even(const struct sorted *sorted, double c);
+// on average, are even enough for a single grid: around a point no more
+// than so many times as dense, on average, as all.
+bool sample_is_even(const struct question *question, double most);
+bool cells_are_even(const struct sorted *sorted, double c, double most);
 //<
