@@ -11,7 +11,6 @@
 #include "ch11-crowds/far_search.h"
 #include "common/min_max.h"
 #include "common/random.h"
-#include <stdbool.h>
 #include <string.h>
 
 //> Limit the density
@@ -49,6 +48,11 @@ static double density_of_sample(const struct question *question)
     workspace_release(workspace, mark);
     return density(together, sample, PER_COARSE_CELL);
 }
+
+bool sample_is_even(const struct question *question, double most)
+{
+    return density_of_sample(question) <= 2 * most;
+}
 //<
 
 //> Count the points of all cells
@@ -63,6 +67,11 @@ static double density_in_cells(const struct sorted *sorted, double c)
     }
     return density(together, sorted->points.n, c);
 }
+
+bool cells_are_even(const struct sorted *sorted, double c, double most)
+{
+    return density_in_cells(sorted, c) <= most;
+}
 //<
 
 //> Search a single grid
@@ -76,7 +85,7 @@ static bool search_plane(const struct question *question,
     const struct partition partition =
         partition_make(question, c, RESTORE, workspace);
     const struct sorted *sorted = &partition.sorted;
-    if (density_in_cells(sorted, c) > MOST_DENSE)
+    if (!cells_are_even(sorted, c, MOST_DENSE))
         return false;
     search_row_spans(question, &partition, workspace, wanted);
     wanted->nearest = NULL;
@@ -94,8 +103,8 @@ static bool search_wraparound(const struct question *question,
 {
     const struct partition partition =
         partition_for_both(question, wanted);
-    if (density_in_cells(&partition.sorted, PER_CELL_FOR_BOTH) >
-        MOST_DENSE)
+    if (!cells_are_even(&partition.sorted, PER_CELL_FOR_BOTH,
+                        MOST_DENSE))
         return false;
     search_near_and_far(question, &partition, wanted);
     *wanted = (struct answers){0};
@@ -118,7 +127,7 @@ static bool search_even(const struct question *question,
             wanted->furthest = NULL;
         return few;
     }
-    if (density_of_sample(question) > 2 * MOST_DENSE)
+    if (!sample_is_even(question, MOST_DENSE))
         return false;
     return question->space.geometry == STANDARD
                ? search_plane(question, wanted)

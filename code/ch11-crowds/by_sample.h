@@ -3,9 +3,17 @@
 // crowd. A sample sees most crowds, for next to nothing; what it lets
 // pass is counted, cell by cell, before anything is compared.
 #pragma once
-#include "common/question.h"
+#include "ch04-cell-sort/sorted.h"
+#include <stdbool.h>
 
 // The row of the table: near-and-far or adaptive; question->by says
 // which.
 search_function by_sample;
+
+// The two looks, for other searches: whether a sample shows no crowd,
+// and whether the points that are sorted into cells, c of them in each
+// on average, are even enough for a single grid: around a point no more
+// than so many times as dense, on average, as all.
+bool sample_is_even(const struct question *question, double most);
+bool cells_are_even(const struct sorted *sorted, double c, double most);
 //<

@@ -7,6 +7,7 @@
 #include "near/check.h"
 #include "near/help.h"
 #include "near/input.h"
+#include "near/neighbors.h"
 #include "near/options.h"
 #include "near/progress.h"
 #include "near/summary.h"
@@ -177,6 +178,8 @@ int main(int argc, char **argv)
         print_help();
     else if (options.list)
         print_list();
+    else if (options.k || options.within)
+        status = answer_neighbors(&options);
     else
         status = near(&options);
     return status;

@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { COLUMNS = 256, BOX, TIMING, CHECK, LIST, HELP };
+enum { COLUMNS = 256, BOX, WITHIN, COUNTS, TIMING, CHECK, LIST, HELP };
 
 static _Noreturn void refuse_option(int option, char **argv)
 {
@@ -21,6 +21,25 @@ static _Noreturn void refuse_option(int option, char **argv)
     if (optopt != 0 && optopt < COLUMNS)
         fail("what is -%c? See near --help", optopt);
     fail("what is %s? See near --help", argv[optind - 1]);
+}
+
+static void take_neighbors_option(struct options *options, int option,
+                                  char **argv)
+{
+    switch (option) {
+    case 'k':
+        options->k = parse_count("-k", optarg, 1, UINT32_MAX);
+        break;
+    case WITHIN:
+        options->distance = parse_distance("--within", optarg);
+        options->within = true;
+        break;
+    case COUNTS:
+        options->counts = true;
+        break;
+    default:
+        refuse_option(option, argv);
+    }
 }
 
 static void take_long_option(struct options *options, int option,
@@ -47,7 +66,7 @@ static void take_long_option(struct options *options, int option,
         options->help = true;
         break;
     default:
-        refuse_option(option, argv);
+        take_neighbors_option(options, option, argv);
     }
 }
 
@@ -99,6 +118,17 @@ static bool same_file(const char *input, const char *output)
            in.st_dev == out.st_dev && in.st_ino == out.st_ino;
 }
 
+static void check_neighbors_options(const struct options *o)
+{
+    if (o->k && o->within)
+        fail("one of -k and --within at a time");
+    if ((o->k || o->within) && o->algorithm)
+        fail("-a is for one nearest and one furthest neighbor; -k and "
+             "--within are answered in a way of their own");
+    if (o->counts && !o->within)
+        fail("--counts is for --within");
+}
+
 static void check_options(const struct options *o, bool generating)
 {
     if (o->file && generating)
@@ -122,6 +152,7 @@ static void check_options(const struct options *o, bool generating)
              o->geometry == STANDARD ? "standard" : "wraparound");
     if (o->timing && o->output && strcmp(o->output, "-") == 0)
         fail("--timing and -o - both want standard output");
+    check_neighbors_options(o);
     isa_chosen(); // fails if NEAR_ISA makes no sense
 }
 
@@ -130,6 +161,8 @@ struct options parse_options(int argc, char **argv)
     static const struct option names[] = {
         {"columns", required_argument, NULL, COLUMNS},
         {"box", required_argument, NULL, BOX},
+        {"within", required_argument, NULL, WITHIN},
+        {"counts", no_argument, NULL, COUNTS},
         {"timing", no_argument, NULL, TIMING},
         {"check", no_argument, NULL, CHECK},
         {"list", no_argument, NULL, LIST},
@@ -143,7 +176,7 @@ struct options parse_options(int argc, char **argv)
     bool generating = false;
     opterr = 0; // the sentences are ours
     for (int option;
-         (option = getopt_long(argc, argv, ":n:d:s:a:g:t:r:o:", names,
+         (option = getopt_long(argc, argv, ":n:d:s:a:g:k:t:r:o:", names,
                                NULL)) != -1;) {
         take_option(&options, option, argv);
         generating |= option == 'n' || option == 'd' || option == 's';

@@ -18,6 +18,9 @@ struct options {
     double box[4];       // x0, y0, x1, y1, if it has one
     int threads, trials; // threads: 0: as many as are worth it
     const char *output;  // file for the answers, "-": standard output
+    uint32_t k;          // so many nearest neighbors; 0: not asked
+    bool within, counts; // all within a distance; only how many
+    double distance;
     bool timing, check, list, help;
 };
 

@@ -4,12 +4,10 @@
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 
 // Whether the closest images are in different places.
-static bool apart(const struct question *question, uint32_t i,
-                  uint32_t j)
+bool are_apart(const struct question *question, uint32_t i, uint32_t j)
 {
     struct points p = question->points;
     struct space space = question->space;
@@ -28,8 +26,13 @@ void warn_of_range(const struct question *question,
         over |= answers->furthest && isinf(answers->furthest2[i]);
         over |= nearest && isinf(answers->nearest2[i]);
         under |= nearest && answers->nearest2[i] < DBL_MIN &&
-                 apart(question, i, nearest[i]);
+                 are_apart(question, i, nearest[i]);
     }
+    warn_of_squares(over, under);
+}
+
+void warn_of_squares(bool over, bool under)
+{
     if (over || under)
         fprintf(stderr,
                 "near: warning: some points are too %s for their "

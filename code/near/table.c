@@ -5,6 +5,7 @@
 #include "common/allocate.h"
 #include "common/numbers.h"
 #include "near/progress.h"
+#include "near/put.h"
 #include "near/write.h"
 #include <inttypes.h>
 #include <math.h>
@@ -23,51 +24,39 @@ struct table {
     const struct answers *answers;
 };
 
-static const struct column {
-    const char *name, *type; // in NumPy's words
-    unsigned answers;        // that it is for; 0: any
-} columns[] = {
-    {"i", "<u4", 0},
-    {"x", "<f8", 0},
-    {"y", "<f8", 0},
-    {"nearest", "<u4", NEAREST},
-    {"nearest_distance", "<f8", NEAREST},
-    {"furthest", "<u4", FURTHEST},
-    {"furthest_distance", "<f8", FURTHEST},
-};
-enum { COLUMNS = sizeof columns / sizeof *columns };
+// The columns that there are answers for.
+enum { MOST_COLUMNS = 7 };
 
-static bool has(const struct table *table, struct column column)
+static int columns_of(const struct table *table,
+                      struct put_column columns[MOST_COLUMNS])
 {
-    return !(column.answers & NEAREST && !table->answers->nearest) &&
-           !(column.answers & FURTHEST && !table->answers->furthest);
+    static const struct put_column all[MOST_COLUMNS] = {
+        {"i", "<u4"},
+        {"x", "<f8"},
+        {"y", "<f8"},
+        {"nearest", "<u4"},
+        {"nearest_distance", "<f8"},
+        {"furthest", "<u4"},
+        {"furthest_distance", "<f8"}};
+    int count = 0;
+    for (int k = 0; k < MOST_COLUMNS; k++)
+        if (k < 3 || (k < 5 ? table->answers->nearest
+                            : table->answers->furthest))
+            columns[count++] = all[k];
+    return count;
 }
 
-static char *put_text(char *to, const char *text)
+static char *put_line_of_names(char *to, const struct table *table)
 {
-    const size_t length = strlen(text);
-    return (char *)memcpy(to, text, length) + length;
+    struct put_column columns[MOST_COLUMNS];
+    return put_names(to, columns, columns_of(table, columns));
 }
 
-static char *put_names(char *to, const struct table *table)
+static char *put_head(char *to, const struct table *table)
 {
-    for (int k = 0; k < COLUMNS; k++)
-        if (has(table, columns[k])) {
-            to = put_text(to, k > 0 ? "\t" : "");
-            to = put_text(to, columns[k].name);
-        }
-    return put_text(to, "\n");
-}
-
-static char *put_count(char *to, uint32_t count)
-{
-    char digits[10];
-    int first = sizeof digits;
-    do
-        digits[--first] = (char)('0' + count % 10);
-    while (count /= 10);
-    memcpy(to, digits + first, sizeof digits - first);
-    return to + sizeof digits - first;
+    struct put_column columns[MOST_COLUMNS];
+    const int count = columns_of(table, columns);
+    return put_npy_head(to, columns, count, table->points.n);
 }
 
 static char *put_neighbor(char *to, uint32_t neighbor, double distance2)
@@ -92,34 +81,6 @@ static char *put_line(char *to, const struct table *table, uint32_t i)
         to = put_neighbor(to, a->furthest[i], a->furthest2[i]);
     *to++ = '\n';
     return to;
-}
-
-// The head of an .npy file, see common/read_npy.h: filled with spaces,
-// so that the numbers begin at a multiple of 64.
-static char *put_npy_head(char *to, const struct table *table)
-{
-    enum { MAGIC = 10 };
-    char *const head = to;
-    to = put_text(to + MAGIC, "{'descr': [");
-    for (int k = 0; k < COLUMNS; k++)
-        if (has(table, columns[k]))
-            to += sprintf(to, "('%s', '%s'), ", columns[k].name,
-                          columns[k].type);
-    to += sprintf(
-        to, "], 'fortran_order': False, 'shape': (%" PRIu32 ",), }",
-        table->points.n);
-    while ((to - head) % 64 != 63)
-        *to++ = ' ';
-    *to++ = '\n';
-    const uint16_t length = (uint16_t)(to - head - MAGIC);
-    memcpy(head, "\x93NUMPY\1", 8);
-    memcpy(head + 8, &length, sizeof length);
-    return to;
-}
-
-static char *put_bytes(char *to, const void *bytes, size_t count)
-{
-    return (char *)memcpy(to, bytes, count) + count;
 }
 
 static char *put_pair(char *to, uint32_t neighbor, double distance2)
@@ -156,8 +117,8 @@ void write_table(enum table_kind kind, const struct question *question,
     static const struct {
         char *(*put_head)(char *, const struct table *);
         char *(*put_row)(char *, const struct table *, uint32_t);
-    } kinds[] = {[TEXT_TABLE] = {put_names, put_line},
-                 [NPY_TABLE] = {put_npy_head, put_record}};
+    } kinds[] = {[TEXT_TABLE] = {put_line_of_names, put_line},
+                 [NPY_TABLE] = {put_head, put_record}};
     const struct table table = {question->points, answers};
     const uint32_t n = question->points.n;
     char head[LONGEST_HEAD];

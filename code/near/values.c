@@ -22,17 +22,6 @@ double parse_count(const char *option, const char *text, double min,
     return number;
 }
 
-uint64_t parse_seed(const char *text)
-{
-    char *end;
-    errno = 0;
-    uint64_t seed = strtoull(text, &end, 10);
-    if (!isdigit((unsigned char)*text) || *end || errno)
-        fail("-s: expected a whole number below 2^64, found \"%s\"",
-             text);
-    return seed;
-}
-
 // Whether the text is exactly count numbers with commas between them.
 static bool parse_numbers(const char *text, double *numbers, int count)
 {
@@ -47,6 +36,26 @@ static bool parse_numbers(const char *text, double *numbers, int count)
         text = end + 1;
     }
     return true;
+}
+
+double parse_distance(const char *option, const char *text)
+{
+    double distance;
+    if (!parse_numbers(text, &distance, 1) || signbit(distance))
+        fail("%s: expected a distance, 0 or more, found \"%s\"", option,
+             text);
+    return distance;
+}
+
+uint64_t parse_seed(const char *text)
+{
+    char *end;
+    errno = 0;
+    uint64_t seed = strtoull(text, &end, 10);
+    if (!isdigit((unsigned char)*text) || *end || errno)
+        fail("-s: expected a whole number below 2^64, found \"%s\"",
+             text);
+    return seed;
 }
 
 struct columns parse_columns(const char *text)

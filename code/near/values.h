@@ -8,6 +8,7 @@
 // A whole number from min to max; 1e5 is one.
 double parse_count(const char *option, const char *text, double min,
                    double max);
+double parse_distance(const char *option, const char *text);
 uint64_t parse_seed(const char *text);
 struct columns parse_columns(const char *text);
 void parse_box(double box[static 4], const char *text);

@@ -1,12 +1,14 @@
 // Questions about ranges by the structures of chapter 12 and by two
-// libraries, one thread: the time to build, and for each query the time
-// to find the 8 nearest, all within a distance that has about as many,
-// and the points in boxes. POINTS points in two and three dimensions;
-// each point asks. The answers are compared.
+// libraries, and in the plane by near -k, one thread: the time to
+// build, and for each query the time to find the 8 nearest, all within
+// a distance that has about as many, and the points in boxes. POINTS
+// points in two and three dimensions; each point asks. The answers are
+// compared.
 //     ranges [POINTS [TRIALS]]
 #include "ch12-range-queries/structures.h"
 #include "common/experiment.h"
 #include "peers/range_peer.h"
+#include "peers/range_plane.h"
 #include "peers/range_scene.h"
 #include <inttypes.h>
 #include <math.h>
@@ -35,7 +37,8 @@ static struct range box_of_row(const double *row, int d)
 }
 
 static uint64_t within_ours(const struct structure *s,
-                            const void *built, struct range_scene *scene)
+                            const void *built,
+                            struct range_scene *scene)
 {
     const struct sorted_points *sorted = s->walk_order(built);
     uint64_t count = 0;
@@ -117,6 +120,17 @@ static struct run run_peer(const struct range_peer *peer,
     return run;
 }
 
+static struct run run_plane(struct range_scene *scene)
+{
+    const double n = scene->points.n;
+    struct plane_times times;
+    struct run run = {.within = answer_in_plane(scene, &times)};
+    run.ns[BUILD] = times.build;
+    run.ns[NEAREST_ONES] = times.nearest / n;
+    run.ns[ALL_WITHIN] = times.within / n;
+    return run;
+}
+
 // Libraries may have rounded differently.
 static void compare(const char *name, const struct run *run,
                     struct range_scene *scene)
@@ -139,22 +153,30 @@ static void compare(const char *name, const struct run *run,
              run->in_boxes, scene->in_boxes);
 }
 
-// One of the two is NULL.
+// One of the two is NULL; or both, and it is near -k.
 struct program {
     const struct structure *structure;
     const struct range_peer *peer;
 };
 
+static struct run run_program(struct program program,
+                              struct range_scene *scene)
+{
+    if (program.peer)
+        return run_peer(program.peer, scene);
+    return program.structure ? run_ours(program.structure, scene)
+                             : run_plane(scene);
+}
+
 static void print_program(struct program program, const char *kind,
                           struct range_scene *scene, int trials)
 {
-    const char *name =
-        program.peer ? program.peer->name : program.structure->name;
+    const char *name = program.peer        ? program.peer->name
+                       : program.structure ? program.structure->name
+                                           : "near-k";
     double ns[QUESTIONS][MOST_TRIALS];
     for (int trial = -1; trial < trials; trial++) {
-        const struct run run = program.peer
-                                   ? run_peer(program.peer, scene)
-                                   : run_ours(program.structure, scene);
+        const struct run run = run_program(program, scene);
         compare(name, &run, scene);
         for (int q = 0; q < QUESTIONS && trial >= 0; q++)
             ns[q][trial] = run.ns[q];
@@ -191,13 +213,17 @@ int main(int argc, char **argv)
                 "boxes:3");
     for (int d = 2; d <= 3; d++)
         for (int kind = 0; kind < COUNT_OF(kinds); kind++) {
-            struct range_scene scene = range_scene_of(kinds[kind], n, d);
+            struct range_scene scene =
+                range_scene_of(kinds[kind], n, d);
             take_as_right(&scene);
             for (int k = 0; k < COUNT_OF(ours); k++)
                 if (is_bearable(ours[k], kinds[kind]))
                     print_program(
                         (struct program){find_structure(ours[k]), NULL},
                         kinds[kind], &scene, trials);
+            if (d == 2)
+                print_program((struct program){NULL, NULL}, kinds[kind],
+                              &scene, trials);
             for (int k = 0; k < COUNT_OF(peers); k++)
                 print_program((struct program){NULL, peers[k]},
                               kinds[kind], &scene, trials);

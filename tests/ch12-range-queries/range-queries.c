@@ -12,6 +12,7 @@
 #include "common/allocate.h"
 #include "common/points.h"
 #include "harness.h"
+#include "plane.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -556,6 +557,7 @@ int main(void)
         TEST(selection), TEST(keys), TEST(threads_make_the_same_tree),
         TEST(leaves_are_filled_evenly),
         TEST(whole_ranges_are_not_looked_at),
-        TEST(close_points_share_a_leaf),
-        TEST(small_moves_are_repaired));
+        TEST(close_points_share_a_leaf), TEST(small_moves_are_repaired),
+        TEST(k_nearest_in_the_plane), TEST(within_in_the_plane),
+        TEST(lists_by_blocks), TEST(crowds_are_no_squares));
 }

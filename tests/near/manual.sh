@@ -77,7 +77,7 @@ printf 'x,y\n4,3\n0,0\n1,0\n' >cities.csv
 printf '0 0\n359 1 # nearly the same\n180 90\n' >sky.txt
 awk '/^EXAMPLES/ { there = 1; next } /^[A-Z]/ { there = 0 }
     there && /^  near / { sub(/^  /, ""); print }' manual >examples
-says 'five examples' 5 "$(wc -l <examples | tr -d ' ')"
+says 'six examples' 6 "$(wc -l <examples | tr -d ' ')"
 while read -r example; do
     case $example in
     *--columns*) cp named.csv cities.csv ;;

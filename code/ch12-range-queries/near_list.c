@@ -1,0 +1,135 @@
+//> Keep the list of the nearest
+// A short list is put in order by insertion. A long one is sorted as a
+// whole, but only once as many have come in as it keeps.
+#include "ch12-range-queries/near_list.h"
+#include "common/allocate.h"
+#include "common/min_max.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SHORT = 32 };
+
+struct near_list near_list_make(size_t k)
+{
+    const size_t room = 2 * k + 2 * STRIP;
+    return (struct near_list){.k = (uint32_t)k,
+                              .room = room,
+                              .found =
+                                  allocate(room, sizeof(struct found))};
+}
+
+void near_list_free(struct near_list *list)
+{
+    free(list->found);
+}
+
+void near_list_clear(struct near_list *list, uint32_t self,
+                     double reach2)
+{
+    list->self = self;
+    list->reach2 = reach2;
+    list->count = list->ordered = 0;
+}
+
+//> Say which of two is nearer
+static inline bool is_nearer(struct found a, struct found b)
+{
+    return a.distance2 < b.distance2 ||
+           (a.distance2 == b.distance2 && a.index < b.index);
+}
+//<
+
+//> Insert what has come in
+// What would be behind the k-th is dropped.
+static void insert_all(struct near_list *list)
+{
+    struct found *const found = list->found;
+    size_t kept = list->ordered;
+    for (size_t next = kept; next < list->count; next++) {
+        const struct found one = found[next];
+        size_t place = kept;
+        if (kept < list->k)
+            kept++;
+        else if (is_nearer(one, found[place - 1]))
+            place--;
+        else
+            continue;
+        for (; place > 0 && is_nearer(one, found[place - 1]); place--)
+            found[place] = found[place - 1];
+        found[place] = one;
+    }
+    list->count = kept;
+}
+//<
+
+//> Rank all at once
+// The rank of each is the number of those that are nearer, counted with
+// one comparison for every pair, in lanes and without a branch. If two
+// are equally far, ranks add up to less than 0 + 1 + 2 + ..., and
+// nothing is done.
+enum { RANKED = 64, LANES = 8 };
+
+static size_t rank_of(const double *distance2, size_t padded, double d2)
+{
+    uint64_t rank = 0;
+#pragma omp simd reduction(+ : rank)
+    for (size_t j = 0; j < padded; j++)
+        rank += distance2[j] < d2;
+    return rank;
+}
+
+static bool rank_all(struct near_list *list)
+{
+    const size_t n = list->count;
+    const size_t padded = (n + LANES - 1) / LANES * LANES;
+    double distance2[RANKED];
+    struct found sorted[RANKED];
+    size_t sum = 0;
+    for (size_t i = 0; i < padded; i++)
+        distance2[i] = i < n ? list->found[i].distance2 : INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        const size_t rank = rank_of(distance2, padded, distance2[i]);
+        sorted[rank] = list->found[i];
+        sum += rank;
+    }
+    if (sum != n * (n - 1) / 2)
+        return false;
+    list->count = MIN(n, list->k);
+    memcpy(list->found, sorted, list->count * sizeof *sorted);
+    return true;
+}
+//<
+
+//> Sort what has come in
+static int nearer_first(const void *one, const void *other)
+{
+    const struct found *a = one, *b = other;
+    return is_nearer(*b, *a) - is_nearer(*a, *b);
+}
+
+static void sort_all(struct near_list *list)
+{
+    qsort(list->found, list->count, sizeof *list->found, nearer_first);
+    list->count = MIN(list->count, list->k);
+}
+//<
+
+//> Settle the list
+void near_list_settle(struct near_list *list)
+{
+    if (list->count == list->ordered)
+        return;
+    if (list->k > SHORT)
+        sort_all(list);
+    else if (list->ordered > 0 || list->count > RANKED ||
+             !rank_all(list))
+        insert_all(list);
+    list->ordered = list->count;
+    if (list->count == list->k)
+        list->reach2 =
+            MIN(list->reach2, list->found[list->k - 1].distance2);
+}
+//<
+//<
