@@ -1,7 +1,8 @@
 //> Choose by a sample
 // A single grid compares a point with some nine times the crowding, the
-// number of points in the cell of a point, on average. So where the
-// crowding is bounded, a single grid takes linear time.
+// number of points in the cell of a point, on average. Lonely points,
+// which search in larger blocks, are so few that where the crowding is
+// bounded a single grid takes n log n steps at worst.
 #include "ch11-crowds/by_sample.h"
 #include "ch04-cell-sort/grid.h"
 #include "ch09-row-spans/row_spans.h"

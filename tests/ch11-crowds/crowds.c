@@ -682,6 +682,107 @@ static void what_deceives_the_sample(void)
     points_free(&few);
 }
 
+// What a single grid could be hurt by: crowds of so many points in a
+// cell each, on the left, as many as the limit of the density admits;
+// around each of them lonely points at every distance, whose blocks
+// grow until the crowd is in them; on the right even points.
+static struct points lonely_among_crowds(uint32_t n, uint32_t crowd)
+{
+    struct random random = {crowd};
+    struct points points = points_allocate(n);
+    const double cell = sqrt(1.5 / n), turn = acos(-1) / 3;
+    const uint32_t columns = MAX(1, sqrt(5.0 * n) / crowd);
+    const double apart = 0.5 / columns;
+    const uint32_t rows = MAX(1, (uint32_t)(1 / apart / 2));
+    uint32_t i = 0;
+    points.x[i] = 0, points.y[i++] = 0;
+    points.x[i] = 1, points.y[i++] = 1;
+    for (uint32_t k = 0; k < columns * rows; k++) {
+        const double x = (k % columns + 0.5) * apart;
+        const double y = (k / columns + 0.5) / rows;
+        for (uint32_t c = 0; c < crowd && i < n; c++) {
+            points.x[i] = x + cell / 9 * random_uniform(&random);
+            points.y[i++] = y + cell / 9 * random_uniform(&random);
+        }
+        for (double r = 4 * cell; r < apart / 2; r *= 2)
+            for (int a = 0; a < 6 && i < n; a++) {
+                points.x[i] = x + r * cos(a * turn);
+                points.y[i++] = y + r * sin(a * turn);
+            }
+    }
+    for (; i < n; i++) {
+        points.x[i] = 0.5 + random_uniform(&random) / 2;
+        points.y[i] = random_uniform(&random);
+    }
+    return points;
+}
+
+// As the chapter proves, and far below.
+static void lonely_points_do_not_hurt(void)
+{
+    static const uint32_t sizes[] = {20000, 200000};
+    for (int kind = 0; kind < 3; kind++) {
+        double each[2];
+        for (int k = 0; k < 2; k++) {
+            const uint32_t n = sizes[k];
+            const uint32_t crowd = kind == 0   ? 32
+                                   : kind == 1 ? 128
+                                               : sqrt(5.0 * n);
+            struct points points = lonely_among_crowds(n, crowd);
+            CHECK_TEXT("near-and-far", choice(points, NEAREST),
+                       "crowds of %u are let pass", crowd);
+            each[k] = distances(
+                "by-sample", question_of(points, STANDARD, 1), NEAREST);
+            const double most = 192 + 34 * 10 + 74 * log2(n);
+            CHECK(each[k] < most, "crowds of %u: %g distances", crowd,
+                  each[k]);
+            points_free(&points);
+        }
+        CHECK(each[1] < 1.5 * each[0], "kind %d: %g, then %g", kind,
+              each[0], each[1]);
+    }
+}
+
+// ---- arcs ----------------------------------------------------------
+// Corners that are spread evenly on a circle. A search begins anywhere,
+// and enters no more arcs than the chapter proves.
+static void a_climb_enters_few_arcs(void)
+{
+    enum { QUERIES_ASKED = 2000 };
+    for (uint32_t n = 1000; n <= 1000000; n *= 10) {
+        struct points circle = points_allocate(n);
+        struct workspace workspace = {0};
+        uint32_t *number =
+            workspace_take(&workspace, n, sizeof *number);
+        for (uint32_t i = 0; i < n; i++) {
+            circle.x[i] = cos(2 * acos(-1) * i / n);
+            circle.y[i] = sin(2 * acos(-1) * i / n);
+            number[i] = i;
+        }
+        const struct corners corners = {circle, number};
+        const struct arcs arcs = arcs_make(&corners, &workspace);
+        struct random random = {n};
+        uint64_t all = 0, most = 0;
+        for (int k = 0; k < QUERIES_ASKED; k++) {
+            const double angle = 2 * acos(-1) * random_uniform(&random);
+            const double radius = random_uniform(&random);
+            struct arc_query query = {.x = radius * cos(angle),
+                                      .y = radius * sin(angle),
+                                      .corner =
+                                          random_bits(&random) % n};
+            arcs_furthest(&arcs, &query);
+            all += query.compared;
+            most = MAX(most, query.compared);
+        }
+        const uint64_t levels = (uint64_t)arcs.levels;
+        CHECK(most <= 8 * (2 * levels * levels + 9 * levels),
+              "%u corners: %g, at most %d", n,
+              (double)all / QUERIES_ASKED, (int)most);
+        workspace_free(&workspace);
+        points_free(&circle);
+    }
+}
+
 static void check_memory(search_function *search, struct points points)
 {
     struct question question = question_of(points, WRAPAROUND, 2);
@@ -717,6 +818,7 @@ int main(void)
         TEST(halves_are_n_log_n), TEST(pieces_hold_all_points),
         TEST(cuts_are_balanced), TEST(no_tree_is_deep),
         TEST(bad_cuts_end), TEST(even_points_get_a_grid),
-        TEST(what_deceives_the_sample),
+        TEST(what_deceives_the_sample), TEST(lonely_points_do_not_hurt),
+        TEST(a_climb_enters_few_arcs),
         TEST(a_second_answer_takes_no_memory));
 }
