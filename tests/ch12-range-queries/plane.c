@@ -16,12 +16,17 @@
 static const int threads[] = {1, 2, 4};
 
 // ---- the plain way -------------------------------------------------
+static int sign(double x)
+{
+    return (x > 0) - (x < 0);
+}
+
+// By distance, then by index.
 static int before(const void *one, const void *other)
 {
     const struct found *a = one, *b = other;
-    if (a->distance2 != b->distance2)
-        return a->distance2 < b->distance2 ? -1 : 1;
-    return (a->index > b->index) - (a->index < b->index);
+    const int order = sign(a->distance2 - b->distance2);
+    return order ? order : sign((double)a->index - b->index);
 }
 
 // The n - 1 others of point i, in their order.
