@@ -12,6 +12,7 @@
 #include "near/summary.h"
 #include "near/threads.h"
 #include "near/write.h"
+#include <assert.h>
 #include <float.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -51,6 +52,7 @@ static void choose_block(const struct job *job,
 {
     const uint32_t n = job->question.points.n;
     uint64_t held = 0;
+    assert(job->each || start); // lists of any lengths need places
     lists->each = job->each;
     lists->start = job->each ? NULL : start;
     lists->last = lists->first;
