@@ -12,7 +12,6 @@
 #include "near/summary.h"
 #include "near/threads.h"
 #include "near/write.h"
-#include <assert.h>
 #include <float.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -52,17 +51,16 @@ static void choose_block(const struct job *job,
 {
     const uint32_t n = job->question.points.n;
     uint64_t held = 0;
-    assert(job->each || start); // lists of any lengths need places
     lists->each = job->each;
     lists->start = job->each ? NULL : start;
     lists->last = lists->first;
     while (lists->last < n &&
            (held == 0 || held + length_of(job, lists->last) <= HELD)) {
-        if (!job->each)
+        if (lists->start)
             start[lists->last - lists->first] = held;
         held += length_of(job, lists->last++);
     }
-    if (!job->each)
+    if (lists->start)
         start[lists->last - lists->first] = held;
     lists->index = allocate(held, sizeof *lists->index);
     lists->distance2 = allocate(held, sizeof *lists->distance2);
