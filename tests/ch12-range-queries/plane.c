@@ -44,6 +44,16 @@ static void sort_plainly(const struct question *question, uint32_t i,
     qsort(others, count, sizeof *others, before);
 }
 
+// For all points: those of point i begin at i n.
+static struct found *sort_all_plainly(const struct question *question)
+{
+    const uint32_t n = question->points.n;
+    struct found *order = allocate((uint64_t)n * n, sizeof *order);
+    for (uint32_t i = 0; i < n; i++)
+        sort_plainly(question, i, order + (uint64_t)i * n);
+    return order;
+}
+
 static uint32_t count_plainly(const struct found *others, uint32_t n,
                               double reach2)
 {
@@ -87,59 +97,54 @@ static void check_list(const struct neighbor_lists *lists, uint32_t i,
             return;
 }
 
-static void check_lists(const struct question *question,
-                        const struct neighbor_lists *lists,
-                        const char *name)
+// Some points, an index of them, and the others of each in order.
+struct setting {
+    uint32_t n;
+    const struct plane_index *index;
+    const struct found *order;
+    const char *name;
+};
+
+static void check_lists(const struct setting *s,
+                        const struct neighbor_lists *lists)
 {
-    struct found *others = allocate(question->points.n, sizeof *others);
-    for (uint32_t i = lists->first; i < lists->last; i++) {
-        sort_plainly(question, i, others);
-        check_list(lists, i, others, name);
-    }
-    free(others);
+    for (uint32_t i = lists->first; i < lists->last; i++)
+        check_list(lists, i, s->order + (uint64_t)i * s->n, s->name);
 }
 
-static void check_nearest(const struct question *question,
-                          const struct plane_index *index, uint32_t k,
-                          const char *name)
+static void check_nearest(const struct setting *s, uint32_t k)
 {
-    const uint32_t n = question->points.n;
+    const uint32_t n = s->n;
     struct neighbor_lists lists = lists_for(0, n, MIN(k, n - 1), NULL);
-    fill_plane_lists(index, INFINITY, &lists, NULL);
-    check_lists(question, &lists, name);
+    fill_plane_lists(s->index, INFINITY, &lists, NULL);
+    check_lists(s, &lists);
     lists_free(&lists);
 }
 
-static void check_within(const struct question *question,
-                         const struct plane_index *index, double reach2,
-                         const char *name)
+static void check_within(const struct setting *s, double reach2)
 {
-    const uint32_t n = question->points.n;
+    const uint32_t n = s->n;
     uint32_t *count = allocate(n, sizeof *count);
     uint64_t *start = allocate(n + 1, sizeof *start);
-    struct found *others = allocate(n, sizeof *others);
-    count_plane_within(index, reach2, count, NULL);
+    count_plane_within(s->index, reach2, count, NULL);
     start[0] = 0;
     for (uint32_t i = 0; i < n; i++) {
-        sort_plainly(question, i, others);
-        const uint32_t right = count_plainly(others, n, reach2);
-        CHECK_INT(right, count[i], "%s: within %g of point %u", name,
+        const uint32_t right =
+            count_plainly(s->order + (uint64_t)i * n, n, reach2);
+        CHECK_INT(right, count[i], "%s: within %g of point %u", s->name,
                   reach2, i);
         start[i + 1] = start[i] + right;
     }
     struct neighbor_lists lists = lists_for(0, n, 0, start);
-    fill_plane_lists(index, reach2, &lists, NULL);
-    check_lists(question, &lists, name);
+    fill_plane_lists(s->index, reach2, &lists, NULL);
+    check_lists(s, &lists);
     lists_free(&lists);
-    free(others);
     free(start);
     free(count);
 }
 
 // ---- every kind of points ------------------------------------------
-typedef void check_function(const struct question *question,
-                            const struct plane_index *index,
-                            const char *name);
+typedef void check_function(const struct setting *setting);
 
 static bool in_unit_square(struct points p)
 {
@@ -155,15 +160,18 @@ static void check_points(struct points points, const char *name,
     for (int g = STANDARD; g <= WRAPAROUND; g++) {
         if (g == WRAPAROUND && !in_unit_square(points))
             continue;
+        struct workspace workspace = {0};
+        struct question question = {
+            points, {g, 1, 1}, 1, .workspace = &workspace};
+        struct found *order = sort_all_plainly(&question);
         for (int t = 0; t < 3; t++) {
-            struct workspace workspace = {0};
-            const struct question question = {
-                points, {g, 1, 1}, threads[t], .workspace = &workspace};
+            question.threads = threads[t];
             const struct plane_index index =
                 plane_index_make(&question, &workspace);
-            check(&question, &index, name);
+            check(&(struct setting){points.n, &index, order, name});
             workspace_free(&workspace);
         }
+        free(order);
     }
 }
 
@@ -181,13 +189,11 @@ static void check_all_kinds(check_function *check)
         }
 }
 
-static void check_some_k(const struct question *question,
-                         const struct plane_index *index,
-                         const char *name)
+static void check_some_k(const struct setting *s)
 {
     static const uint32_t some[] = {1, 2, 8, 33, 1000};
     for (int k = 0; k < 5; k++)
-        check_nearest(question, index, some[k], name);
+        check_nearest(s, some[k]);
 }
 
 void k_nearest_in_the_plane(void)
@@ -196,18 +202,14 @@ void k_nearest_in_the_plane(void)
 }
 
 // Distances that some points just have, none, and all.
-static void check_some_distances(const struct question *question,
-                                 const struct plane_index *index,
-                                 const char *name)
+static void check_some_distances(const struct setting *s)
 {
-    const uint32_t n = question->points.n;
-    struct found *others = allocate(n, sizeof *others);
-    sort_plainly(question, n / 2, others);
-    check_within(question, index, 0, name);
-    check_within(question, index, others[(n - 2) / 20].distance2, name);
-    check_within(question, index, others[(n - 2) / 3].distance2, name);
-    check_within(question, index, INFINITY, name);
-    free(others);
+    const uint32_t n = s->n;
+    const struct found *others = s->order + (uint64_t)(n / 2) * n;
+    check_within(s, 0);
+    check_within(s, others[(n - 2) / 20].distance2);
+    check_within(s, others[(n - 2) / 3].distance2);
+    check_within(s, INFINITY);
 }
 
 void within_in_the_plane(void)
@@ -225,13 +227,16 @@ void lists_by_blocks(void)
         points, {STANDARD, 0, 0}, 2, .workspace = &workspace};
     const struct plane_index index =
         plane_index_make(&question, &workspace);
+    struct found *order = sort_all_plainly(&question);
+    const struct setting s = {N, &index, order, "a block"};
     for (uint32_t first = 0; first < N; first += BLOCK) {
         const uint32_t last = MIN(first + BLOCK, N);
         struct neighbor_lists lists = lists_for(first, last, K, NULL);
         fill_plane_lists(&index, INFINITY, &lists, NULL);
-        check_lists(&question, &lists, "a block");
+        check_lists(&s, &lists);
         lists_free(&lists);
     }
+    free(order);
     workspace_free(&workspace);
     points_free(&points);
 }
@@ -245,7 +250,7 @@ static double work_for(const struct distribution *distribution,
     struct counts counts = {0};
     struct points points = generate(distribution, n, 3);
     const struct question question = {
-        points, {STANDARD, 0, 0}, 2, .workspace = &workspace};
+        points, {STANDARD, 0, 0}, 1, .workspace = &workspace};
     const struct plane_index index =
         plane_index_make(&question, &workspace);
     struct neighbor_lists lists = lists_for(0, n, K, NULL);
