@@ -8,9 +8,8 @@
 # Where one of the tools is missing, the committed table stays.
 set -eu
 mca=$(command -v llvm-mca-14 || command -v llvm-mca || :)
-object=$(find "$BUILD" -path '*/ch06-pack-scan/avx2.o' \
-    ! -path '*counting*' | head -n 1)
-if [ ! "$mca" ] || [ ! "$object" ] || [ "$(uname -m)" != x86_64 ] ||
+object_dir=$BUILD/plain/ch06-pack-scan
+if [ ! "$mca" ] || [ ! -e "$object_dir/avx2.o" ] || [ "$(uname -m)" != x86_64 ] ||
     ! command -v valgrind >/dev/null || ! command -v objdump >/dev/null
 then
     echo "llvm-mca, valgrind or objdump is missing" >&2
@@ -66,7 +65,6 @@ row() { # name object function elements
                 instructions, cycles, shuffles
         }' "$dir/report"
 }
-object_dir=$(dirname "$object")
 row portable_gather primitives portable_gather 4
 row portable_scan primitives portable_scan 4
 row portable_pack primitives portable_pack 4
