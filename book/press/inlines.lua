@@ -22,11 +22,12 @@ local span_attributes = {
   machine = {},
 }
 
--- Between a number and its unit no line ends.
+-- Between a number and its unit, or its power of ten, no line ends.
 local function is_tie(list, i)
   local before, after = list[i - 1], list[i + 1]
   return list[i].t == "Space" and before and before.t == "Span"
-    and after and after.t == "Str" and numbers.is_unit(after.text)
+    and after and (after.t == "Str" and numbers.is_unit(after.text)
+      or after.t == "Math" and after.text:match("^\\cdot") ~= nil)
 end
 
 -- Whether a sentence begins with this word.
@@ -101,13 +102,16 @@ local function woven(list)
   return result
 end
 
--- A span that pandoc has not taken for one: [@su][]{.index} is none.
+-- A span that pandoc has not taken for one: [@su][]{.index} is none,
+-- and there are none inside of a formula.
 function inline.Str(x)
   if x.text:match("{%.%a") then
     fault(x.text, 'this is printed as it stands: "%s"', x.text)
   end
   return x
 end
+
+inline.Math = inline.Str
 
 function inline.Code(x)
   if #x.classes > 0 then
