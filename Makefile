@@ -409,6 +409,10 @@ exercise_key = $(patsubst 0%,%,$(firstword $(subst /, ,$(1)))).$(firstword \
 exercises := $(foreach e,$(patsubst exercises/ch%/exercise.md,%,$(wildcard \
 	exercises/ch*/*/exercise.md)),exercise$(call exercise_key,$(e)))
 
+#: all exercises, a line each: stars, time, points, how they are marked
+exercises:
+	@exercises/kit/list
+
 #: try exercise K of chapter N: task and starter in work/, tests, points
 exerciseN.K:
 	@echo "say make exercise1.2, make exercise2.1, ..."
@@ -504,4 +508,4 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
 .PHONY: all programs test test-all check-book figures drawings pictures web check-web slides slidesN readme chapterN measure measureN evidence
-.PHONY: $(exercises) exerciseN.K $(watches) watchN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help
+.PHONY: exercises $(exercises) exerciseN.K $(watches) watchN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help

@@ -1,9 +1,5 @@
 # What only instructors need; not in the handout.
 
-#: all exercises, a line each: stars, time, points, how they are marked
-exercises:
-	@exercises/course/list
-
 #: an assignment with its archives: EXERCISES="4.1 4.2" TITLE="Homework 2"
 sheet: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) exercises/course/sheet
@@ -38,4 +34,4 @@ release: | $(BUILD)/setup/book
 check-release: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) CC="$(CC)" tests/check-release $(BUILD)/release
 
-.PHONY: exercises sheet handout solutions export release check-release
+.PHONY: sheet handout solutions export release check-release

@@ -37,7 +37,7 @@ else
     really() { quickly "$@"; }
 fi >/dev/null
 
-exercises/course/list >"$said" 2>&1
+exercises/kit/list >"$said" 2>&1
 check "a list to choose from" grep -q '^4.2 .* 40 min *10  tests *How many' "$said"
 
 by_hand=$(cat exercises/ch04/[15]-*/exercise.md | awk '/^points:/ { n += $2 } END { print n }')
