@@ -1,21 +1,35 @@
 # The fastest structure, over the number of points and the box.
-# alt: A map with the number of points along x and the share of the
+# alt: Two maps with the number of points along x and the share of the
 # range that a side of the box has along y. Each place carries a mark
-# for the structure that is the fastest there, where points stay: scans
-# at few points and large boxes, cells with binary search elsewhere.
+# for the structure that is the fastest there. Left, where points stay,
+# a tree for the whole range and cells below, with binary search for
+# boxes that hold many points. Right, with a hundred boxes for each time
+# the points move, scans by lanes at a hundred points, cells elsewhere.
 # demo: plot
-height = 3.0
+height = 3.2
 load "book/figures/style.gp"
 table = data . "/ch12-map.tsv"
-of(name, value) = strcol("stays") eq name ? value : NaN
+# The two k-d trees differ only in what they do when points move.
+tree(name) = name eq "kd-tree-anew" ? "kd-tree" : name
+of(best, name, value) = tree(strcol(best)) eq name ? value : NaN
+names = "scan-lanes kd-tree orthotree orthotree-compressed cells cells-halves"
 set logscale xy
 set format x powers
 set xrange [50:3e6]
 set yrange [0.0015:2.5]
 set xlabel "points"
-set ylabel "side of the box"
-set key outside right top Left reverse
 set grid xtics ytics
 set datafile missing NaN
-plot for [name in "scan scan-lanes projection kd-tree kd-tree-anew orthotree orthotree-compressed cells cells-halves"] \
-  table using "n":(of(name, column("share"))) with points ps 1.3 title name
+set multiplot layout 1,2 margins 0.1,0.98,0.3,0.92 spacing 0.1
+unset key
+set title "points stay"
+set ylabel "side of the box"
+plot for [name in names] table using "n":(of("stays", name, column("share"))) \
+  with points ps 1.2 notitle
+set key at screen 0.54,0.02 bottom center maxrows 2 Left reverse
+set title "a hundred boxes for each motion"
+unset ylabel
+plot for [name in names] table using "n":(of("hundred", name, column("share"))) \
+  with points ps 1.2 notitle, \
+  for [k=1:words(names)] NaN with points ls k ps 1.2 title word(names, k)
+unset multiplot
