@@ -45,33 +45,33 @@ size_t projection_bytes(const struct projection *projection)
 }
 
 //> Repair the order
-// By insertion: a reference moves past those with a greater number.
-// Gives up after so many moves.
+// By insertion: a reference goes past those with a greater number,
+// which are shifted by a place. Gives up after so many shifts.
 static uint64_t insert_all(const double *x, uint32_t n, uint32_t *order)
 {
-    const uint64_t most = (uint64_t)MOST_MOVES * n;
-    uint64_t moves = 0;
-    for (uint32_t r = 1; r < n && moves <= most; r++) {
+    const uint64_t most = (uint64_t)MOST_SHIFTS * n;
+    uint64_t shifts = 0;
+    for (uint32_t r = 1; r < n && shifts <= most; r++) {
         const uint32_t point = order[r];
         uint32_t place = r;
         for (; place > 0 && x[order[place - 1]] > x[point]; place--)
             order[place] = order[place - 1];
         order[place] = point;
-        moves += r - place;
+        shifts += r - place;
     }
-    if (moves > most)
+    if (shifts > most)
         sort_by(x, n, order);
-    return moves;
+    return shifts;
 }
 
 uint64_t projection_update(struct projection *projection)
 {
     const struct point_set *points = &projection->points;
-    uint64_t moves = 0;
+    uint64_t shifts = 0;
     for (int k = 0; k < points->d; k++)
-        moves +=
+        shifts +=
             insert_all(points->x[k], points->n, projection->order[k]);
-    return moves;
+    return shifts;
 }
 //<
 

@@ -20,9 +20,9 @@ void projection_free(struct projection *projection);
 size_t projection_bytes(const struct projection *projection);
 
 // The points have moved: puts the references in order again, by
-// insertion where that takes few moves, and else anew. Says how many
-// moves there were, at most MOST_MOVES for each point and coordinate.
-enum { MOST_MOVES = 16 };
+// insertion where that takes few shifts, and else anew. Says how many
+// shifts there were, at most MOST_SHIFTS for each point and coordinate.
+enum { MOST_SHIFTS = 16 };
 uint64_t projection_update(struct projection *projection);
 
 void projection_query(const struct projection *projection,

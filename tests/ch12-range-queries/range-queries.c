@@ -538,7 +538,7 @@ static void small_moves_are_repaired(void)
     CHECK_INT(N - 1, projection_update(&projection), "one to the end");
     for (uint32_t i = 0; i < N; i++)
         points.x[1][i] = -points.x[1][i];
-    CHECK(projection_update(&projection) > (uint64_t)MOST_MOVES * N,
+    CHECK(projection_update(&projection) > (uint64_t)MOST_SHIFTS * N,
           "all turned round");
     for (int k = 0; k < 2; k++)
         for (uint32_t r = 1; r < N; r++)

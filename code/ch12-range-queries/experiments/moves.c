@@ -1,6 +1,6 @@
-// How many references an insertion moves when the points of a
-// projection have moved once, for each point and coordinate, beside
-// what is predicted.
+// How many shifts an insertion takes when the points of a projection
+// have moved once, for each point and coordinate, beside what is
+// predicted.
 //
 //     moves [POINTS]
 #include "ch12-range-queries/experiments/probe.h"
@@ -22,10 +22,10 @@ int main(int argc, char **argv)
         const double step = lengths[k] * pow(n, -1.0 / DIMENSIONS);
         struct projection projection = projection_make(&probe->points);
         move_points(probe, step);
-        const double moves =
+        const double shifts =
             (double)projection_update(&projection) / n / DIMENSIONS;
         row("moves_%g\t%g\t%u\t%.4g\t%.4g", 10000 * lengths[k],
-            lengths[k], n, n * step / 3, moves);
+            lengths[k], n, n * step / 3, shifts);
         projection_free(&projection);
         probe_free(probe);
     }
