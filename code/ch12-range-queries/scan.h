@@ -9,7 +9,7 @@
 struct report {
     uint32_t *found; // indices of points, in any order; room for all
     uint32_t count;  // of them
-    uint64_t steps;  // nodes, cells or steps of binary searches
+    uint64_t steps;  // nodes, cells, or comparisons of a search
     uint64_t tested; // points whose coordinates were looked at
 };
 //<
