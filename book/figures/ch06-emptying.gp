@@ -8,7 +8,7 @@ load "book/figures/style.gp"
 table = data . "/ch06-emptying.tsv"
 set logscale xy
 set xlabel "steps k"
-set ylabel "percent of the points" offset 1
+set ylabel "percent of the points"
 set yrange [0.02:150]
 set xrange [1:2500]
 set key outside top center vertical maxrows 2

@@ -15,7 +15,7 @@ struct rounds {
 };
 //<
 
-// As primitives->scan; to may be from.
+// As primitives->scan; to and from may be the same.
 uint32_t scan_blocked(const struct rounds *rounds, uint32_t *to,
                       const uint32_t *from, uint32_t n, uint32_t sum);
 

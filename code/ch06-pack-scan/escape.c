@@ -21,10 +21,9 @@ struct points picture(uint32_t width, uint32_t height)
 //<
 
 //> Make room for lanes
-// Large arrays begin where a page does. Were the five all at the same
-// place of their pages, a load from one could be taken for what has
-// just been stored to another; so each begins eight lines further on in
-// its page.
+// Large arrays, each allocated by itself, all begin at the same place
+// of a page. Then a load from one could be taken for what has just been
+// stored to another; so each begins eight lines further on in its page.
 static size_t lanes_apart(uint32_t max)
 {
     enum { PAGE = 4096 / sizeof(double), SHIFT = PAGE / 8 };

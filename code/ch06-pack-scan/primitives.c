@@ -61,7 +61,7 @@ uint32_t portable_scan(uint32_t *to, const uint32_t *from, uint32_t n,
 {
 #pragma GCC unroll 4
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t here = from[i]; // to may be from
+        uint32_t here = from[i]; // the arrays may be the same
         to[i] = sum;
         sum += here;
     }

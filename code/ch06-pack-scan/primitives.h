@@ -12,11 +12,12 @@ struct primitives {
     enum isa isa;
 
     //> Declare elementwise arithmetic and routes
-    // to[i] = a[i] + b[i]; to may be a or b.
+    // to[i] = a[i] + b[i]. The array to may be the array a or b.
     void (*add)(double *to, const double *a, const double *b,
                 uint32_t n);
 
-    // to[i] = from[index[i]]; to may be from where no index[i] < i.
+    // to[i] = from[index[i]]. The arrays to and from may be the same if
+    // no index[i] < i.
     void (*gather)(double *to, const double *from,
                    const uint32_t *index, uint32_t n);
     void (*gather32)(uint32_t *to, const uint32_t *from,
@@ -31,13 +32,13 @@ struct primitives {
 
     //> Declare scan and pack
     // to[i] = sum + from[0] + ... + from[i-1], modulo 2^32. Returns
-    // sum + from[0] + ... + from[n-1]. to may be from.
+    // sum + from[0] + ... + from[n-1]. The arrays may be the same.
     uint32_t (*scan)(uint32_t *to, const uint32_t *from, uint32_t n,
                      uint32_t sum);
 
     // Moves the from[i] whose keep[i] is 1, not 0, to the front of
     // to[0 .. n-1], in order, and returns how many. Up to SPILL numbers
-    // behind them are overwritten. to may be from.
+    // behind them are overwritten. to and from may be the same.
     uint32_t (*pack)(uint32_t *to, const uint32_t *from,
                      const uint8_t *keep, uint32_t n);
     //<
