@@ -42,7 +42,7 @@ do for [f = 1:4] {
   plot table using (upto(n, 1) + 0.5):($3 + 0.5):(0.5):(0.5) \
          with boxxyerror fc rgb "#b9cde4", \
        "" using (upto(n, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
-         with boxxyerror fc rgb "#f0d3c2", \
+         with boxxyerror fc rgb "#C4DFCB", \
        "" using (of("point", 2)):3 with points pt 7 ps 0.3 lc rgb "#555555", \
        "" using (of("query", 2)):3 with points pt 7 ps 0.8 lc rgb "black", \
        "" using (f > 1 ? of("first", 2) : NaN):3 \

@@ -26,8 +26,14 @@ set xrange [left:right]
 set yrange [bottom:top]
 set key at screen 0.995,0.88 right top Left reverse samplen 1.8 spacing 1.3
 set style fill solid 1 noborder
-set object 1 rectangle from x - side,y - tall to x + side,y + tall \
-  fs empty border rgb "black" lw 1.4 dt (4,3) front
+# The square is drawn before the points: one of them is near its corner.
+set print $square
+print "x\ty"
+do for [k = 0:4] {
+  print sprintf("%f\t%f", x + (k % 4 < 2 ? -side : side), \
+    y + ((k + 1) % 4 < 2 ? -tall : tall))
+}
+unset print
 set for [k = -2:3] arrow from home_x + k,bottom to home_x + k,top \
   nohead ls 10 front
 set for [k = -2:3] arrow from left,home_y + k to right,home_y + k \
@@ -39,15 +45,16 @@ set for [k = -2:2] label sprintf("%d", home_y + k) \
 plot table using (phase(1, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
        with boxxyerror fc rgb "#b9cde4" title "phase one", \
      "" using (phase(2, 2) + 0.5):($3 + 0.5):(0.5):(0.5) \
-       with boxxyerror fc rgb "#f0d3c2" title "phase two", \
+       with boxxyerror fc rgb "#C4DFCB" title "phase two", \
      "" using (of("cell", 2) + 0.07):($3 + 0.46):(sprintf("%d", $4)) \
        with labels left font ",7" textcolor rgb "#444444" notitle, \
-     "" using (of("point", 2)):3 \
+     $square using 1:2 with lines lc rgb "black" lw 1.4 dt (4,3) \
+       title "square of side 2D", \
+     table using (of("point", 2)):3 \
        with points pt 7 ps 0.4 lc rgb "#555555" title "points", \
      "" using (of("query", 2)):3 \
        with points pt 7 ps 1.0 lc rgb "black" title "the query", \
      "" using (of("first", 2)):3 \
        with points pt 5 ps 0.9 lc rgb "#c4511a" title "nearest of phase one", \
      "" using (of("neighbor", 2)):3 \
-       with points pt 9 ps 1.1 lc rgb "#14447c" title "nearest of all", \
-     NaN with lines lc rgb "black" lw 1.4 dt (4,3) title "square of side 2D"
+       with points pt 9 ps 1.1 lc rgb "#14447c" title "nearest of all"

@@ -2,7 +2,8 @@
 // report estimates; as many layers as it is cells to the first point
 // found, as it says; whole layers, as far as D reaches; the cells that
 // meet the square; or those that meet it while it shrinks with every
-// better point. Distances and cells a point, and wrong answers.
+// better point. And the square once more, with the D of the report.
+// Distances and cells a point, and wrong answers.
 //     rules [POINTS]
 #include "ch07-spiral/two_phases.h"
 #include "common/experiment.h"
@@ -13,11 +14,13 @@ enum rule {
     WHOLE_LAYERS,
     SQUARE,
     SHRINKING,
+    FIRST_SQUARE,
     RULES
 };
 
 static const char *const rule_names[] = {
-    "one_more", "d_layers", "whole_layers", "square", "shrinking"};
+    "one_more", "d_layers",  "whole_layers",
+    "square",   "shrinking", "first_square"};
 
 // While the square shrinks: a cell that can have no point as near as
 // the best is passed by.
@@ -67,11 +70,34 @@ INLINED void take_first_point(const enum geometry geometry,
     }
 }
 
-static void search_d_layers(const struct map *map,
-                            struct spiral_query *query)
+static void find_first_point(const struct map *map,
+                             struct spiral_query *query)
 {
     for (int32_t k = 0; query->nearest == NO_INDEX; k++)
         visit_around(map, k, take_first_point, query);
+}
+
+// The cells that meet the square around that point's distance.
+static void search_first_square(const struct map *map,
+                                struct spiral_query *query)
+{
+    const struct axis *x = &map->grid->x, *y = &map->grid->y;
+    find_first_point(map, query);
+    struct search_box square = {
+        square_range(STANDARD, x, whole_range(x, query->column),
+                     query->column, query->x, query->best2),
+        square_range(STANDARD, y, whole_range(y, query->row),
+                     query->row, query->y, query->best2)};
+    int32_t last = MAX(MAX(square.x.back, square.x.ahead),
+                       MAX(square.y.back, square.y.ahead));
+    for (int32_t k = 0; k <= last; k++)
+        visit_layer(STANDARD, map, &square, k, visit_cell, query);
+}
+
+static void search_d_layers(const struct map *map,
+                            struct spiral_query *query)
+{
+    find_first_point(map, query);
     double scale = MAX(map->grid->x.scale, map->grid->y.scale);
     int32_t layers = ceil(sqrt(query->best2) * scale);
     for (int32_t k = 0; k <= layers; k++)
@@ -107,6 +133,8 @@ static void search_by(enum rule rule, const struct map *map,
         spiral_nearest(STANDARD, map, visit_if_near, query);
     else if (rule == D_LAYERS)
         search_d_layers(map, query);
+    else if (rule == FIRST_SQUARE)
+        search_first_square(map, query);
     else
         search_layers(rule, map, query);
 }
