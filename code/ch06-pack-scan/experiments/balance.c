@@ -70,10 +70,10 @@ static void print_rows(const struct drawing *drawings,
     for (uint32_t i = 0; i < c.n; i++)
         useful += drawings->steps[i];
     for (int d = 0; d < 2 * INTERVALS; d += 2)
-        row_of_times(&turns[d], 2, useful, "every_%u\t%u\t%.5g\t%.5g\t%.4g", drawings[d].every,
-                     drawings[d].every, useful / c.n,
-                     drawings[d].done / useful,
-                     starts(&drawings[d]) / useful);
+        row_of_times(
+            &turns[d], 2, useful, "every_%u\t%u\t%.5g\t%.5g\t%.4g",
+            drawings[d].every, drawings[d].every, useful / c.n,
+            drawings[d].done / useful, starts(&drawings[d]) / useful);
 }
 
 int main(int argc, char **argv)
