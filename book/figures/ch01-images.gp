@@ -18,7 +18,7 @@ unset tics; unset grid; unset key
 set border 15 ls 10
 set size ratio -1
 set xrange [0:1]; set yrange [0:1]
-set label 1 "" at 0.3,0.4 point pt 7 ps 0.6 lc rgb "black" front
+set label 1 "" at 0.2,0.3 point pt 7 ps 0.6 lc rgb "black" front
 set title "standard" offset 0,-0.5
 splot table using 1:2:3 with lines lt 1
 set title "closest image"

@@ -12,7 +12,7 @@
 
 //> Hold a piece
 // Its points are a stretch of all sorted points, begin and following.
-// Points in one place have no grid.
+// Points in one place, or as good as in one, have no grid.
 struct piece {
     struct sorted sorted; // its own points, its grid
     struct box region;    // no point of another piece is inside

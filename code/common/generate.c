@@ -55,8 +55,8 @@ static void two_clusters(struct points points, uint64_t seed)
 
 //> Set the points on a lattice
 // The step is a multiple of a power of two: then all coordinates and
-// their differences are exact, and what should tie does tie. The seed
-// has no say in it.
+// their differences are exact, so that points as many columns and as
+// many rows away tie. The seed has no say in it.
 static void lattice(struct points points, uint64_t seed)
 {
     (void)seed;

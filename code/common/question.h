@@ -16,7 +16,7 @@ struct question {
     struct counts *counts; // what is done is added; NULL: not wanted
     struct workspace *workspace; // the caller's; NULL: a temporary one
     int64_t *built_ns; // when what is searched was built; or NULL
-    const char **by;   // the row it was left to, if any; or NULL
+    const char **by;   // which row was chosen, if one chose; or NULL
     const struct extent *box; // of x and of y, if known; or NULL
 };
 //<
@@ -39,9 +39,9 @@ struct answers {
 typedef void search_function(const struct question *question,
                              struct answers *answers);
 
-// Runs a search in the question's workspace or in a temporary one,
-// which is the workspace of the question that it is given, and gives
-// back what it takes from there.
+// Runs a search that needs a workspace, even if the question has none:
+// then the search gets a copy of the question that has a temporary one.
+// What the search takes from the workspace is given back at its end.
 void search_in_workspace(const struct question *question,
                          search_function *search,
                          struct answers *answers);

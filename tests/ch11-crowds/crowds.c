@@ -775,7 +775,7 @@ static void a_climb_enters_few_arcs(void)
             most = MAX(most, query.compared);
         }
         const uint64_t levels = (uint64_t)arcs.levels;
-        CHECK(most <= 8 * (2 * levels * levels + 9 * levels),
+        CHECK(most <= 4 * (3 * levels * levels + 17 * levels),
               "%u corners: %g, at most %d", n,
               (double)all / QUERIES_ASKED, (int)most);
         workspace_free(&workspace);

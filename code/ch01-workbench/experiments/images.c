@@ -6,7 +6,7 @@
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    const double x = 0.3, y = 0.4; // the point
+    const double x = 0.2, y = 0.3; // the point
     const int steps = 100;
     const struct space plain = {STANDARD, 1, 1};
     const struct space wrapped = {WRAPAROUND, 1, 1};
