@@ -23,7 +23,7 @@ stats table using (column("lanes")) nooutput
 n = STATS_max
 of(kind, k) = strcol(1)[1:strlen(kind)] eq kind && column("n") == n ? column(k) : NaN
 plot table using "lanes":(of("equal", "losers_expected")) with lines lt 5 lw 0.9 notitle, \
-     "" using "lanes":(of("equal", "losers")) with points lt 5 title "equal", \
+     "" using "lanes":(of("equal", "losers")) with points lt 5 ps 1.6 title "equal", \
      "" using "lanes":(of("kuzmin", "losers_expected")) with lines lt 4 lw 0.9 notitle, \
      "" using "lanes":(of("kuzmin", "losers")) with points lt 4 title "kuzmin", \
      "" using "lanes":(of("two_clusters", "losers_expected")) with lines lt 3 lw 0.9 notitle, \

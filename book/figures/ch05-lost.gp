@@ -22,10 +22,12 @@ set key bottom left
 share(k) = strcol(1)[1:4] eq "cell" && column("right") > 0 ? column(k) / column("right") : NaN
 seen(k, lanes) = k > most ? NaN : n / lanes * (1 - (1 - k / n)**lanes) / k
 set samples 200
-plot table using "right":(share("threads2")) with points lt 6 title "two threads", \
-     "" using "right":(share("lanes8")) with points lt 1 title "8 lanes", \
-     "" using "right":(share("lanes64")) with points lt 2 title "64 lanes", \
-     "" using "right":(share("lanes1024")) with points lt 3 title "1,024 lanes", \
-     seen(x, 8) with lines lt 1 lw 0.8 dt 1 notitle, \
-     seen(x, 64) with lines lt 2 lw 0.8 dt 1 notitle, \
-     seen(x, 1024) with lines lt 3 lw 0.8 dt 1 notitle
+# Of the lanes every fifth cell, so that the lines can be seen between
+# the marks; of the threads every twelfth, in front and larger.
+plot table using "right":(share("lanes8")) every 5 with points lt 1 ps 0.6 title "8 lanes", \
+     "" using "right":(share("lanes64")) every 5 with points lt 2 ps 0.6 title "64 lanes", \
+     "" using "right":(share("lanes1024")) every 5 with points lt 3 ps 0.6 title "1,024 lanes", \
+     seen(x, 8) with lines lt -1 lw 0.8 dt 1 title "predicted", \
+     seen(x, 64) with lines lt -1 lw 0.8 dt 1 notitle, \
+     seen(x, 1024) with lines lt -1 lw 0.8 dt 1 notitle, \
+     table using "right":(share("threads2")) every 12 with points lt 6 ps 1.0 title "two threads"

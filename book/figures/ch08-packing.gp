@@ -9,7 +9,7 @@ table = data . "/ch08-strips.tsv"
 set logscale x 2
 set logscale y 2
 set xlabel "tasks in a strip"
-set ylabel "lanes a useful one"
+set ylabel "lanes for a point compared"
 set xrange [3.5:80000]
 set yrange [0.8:*]
 set xtics ("4" 4, "16" 16, "64" 64, "256" 256, "1024" 1024, "4096" 4096, "16384" 16384, "65536" 65536)

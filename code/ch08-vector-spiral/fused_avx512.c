@@ -15,9 +15,9 @@ static inline __mmask8 left(uint32_t n)
 }
 
 USE_AVX512
-static inline __m256i eight(__mmask8 here, const void *from)
+static inline __m256i eight(__mmask8 marked, const void *from)
 {
-    return _mm256_maskz_loadu_epi32(here, from);
+    return _mm256_maskz_loadu_epi32(marked, from);
 }
 //<
 
@@ -63,10 +63,10 @@ INLINED __m256i cells_after(const enum geometry geometry,
 
 //> Mark the lanes within the bounds
 USE_AVX512
-static inline __mmask8 at_least(__mmask8 here, const int32_t *bound,
+static inline __mmask8 at_least(__mmask8 marked, const int32_t *bound,
                                 __m256i steps)
 {
-    return _mm256_mask_cmpge_epi32_mask(here, eight(here, bound),
+    return _mm256_mask_cmpge_epi32_mask(marked, eight(marked, bound),
                                         steps);
 }
 //<
@@ -116,18 +116,18 @@ INLINED void enter_in(const enum geometry geometry,
 
 //> Gather in the marked lanes
 USE_AVX512
-static inline __m512d doubles(__mmask8 here, __m512i index,
+static inline __m512d doubles(__mmask8 marked, __m512i index,
                               const double *from)
 {
-    return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), here, index,
+    return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), marked, index,
                                     from, 8);
 }
 
 USE_AVX512
-static inline __m256i numbers(__mmask8 here, __m512i index,
+static inline __m256i numbers(__mmask8 marked, __m512i index,
                               const uint32_t *from)
 {
-    return _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), here,
+    return _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), marked,
                                        index, from, 4);
 }
 //<
@@ -136,24 +136,25 @@ static inline __m256i numbers(__mmask8 here, __m512i index,
 USE_AVX512
 INLINED void compare_eight(const enum geometry geometry,
                            const struct map *map, struct strip *strip,
-                           __mmask8 here, __m256i task, __m256i at)
+                           __mmask8 marked, __m256i task, __m256i at)
 {
     const struct points p = map->points;
     __m256i point =
-        numbers(here, _mm512_cvtepu32_epi64(at), map->cells->point);
+        numbers(marked, _mm512_cvtepu32_epi64(at), map->cells->point);
     __m512i t = _mm512_cvtepu32_epi64(task);
     __m512i j = _mm512_cvtepu32_epi64(point);
-    __m512d d2 = eight_near2(geometry, map->space,
-                             _mm512_sub_pd(doubles(here, j, p.x),
-                                           doubles(here, t, strip->x)),
-                             _mm512_sub_pd(doubles(here, j, p.y),
-                                           doubles(here, t, strip->y)));
-    __m512d best2 = doubles(here, t, strip->best2);
-    __m256i nearest = numbers(here, t, strip->nearest);
+    __m512d d2 =
+        eight_near2(geometry, map->space,
+                    _mm512_sub_pd(doubles(marked, j, p.x),
+                                  doubles(marked, t, strip->x)),
+                    _mm512_sub_pd(doubles(marked, j, p.y),
+                                  doubles(marked, t, strip->y)));
+    __m512d best2 = doubles(marked, t, strip->best2);
+    __m256i nearest = numbers(marked, t, strip->nearest);
     //> Keep what is nearer, by masks
     __m256i own = _mm256_add_epi32(
         task, _mm256_set1_epi32((int32_t)strip->first));
-    __mmask8 others = _mm256_mask_cmpneq_epi32_mask(here, at, own);
+    __mmask8 others = _mm256_mask_cmpneq_epi32_mask(marked, at, own);
     __mmask8 nearer = _mm512_mask_cmplt_pd_mask(others, d2, best2);
     __mmask8 tie = _mm512_mask_cmpeq_pd_mask(others, d2, best2);
     tie = _mm256_mask_cmple_epu32_mask(tie, point, nearest);

@@ -1,4 +1,4 @@
-// Gathers all tasks that have work left, anew for each step.
+// Gathers all tasks that have work left, anew for each round.
 // expect: 3 of 10
 #include "exercise.h"
 
@@ -12,6 +12,6 @@ void work_off(uint32_t n, const uint32_t *length, uint32_t longest,
             if (length[i] > b)
                 order[lanes++] = i;
         if (lanes > 0)
-            step(lanes, order);
+            make_round(lanes, order);
     }
 }

@@ -1,5 +1,5 @@
 // A cell sort of the tasks, whose cells are their lengths, the longest
-// first. In step b those at work are the first ones, and how many they
+// first. In round b those at work are the first ones, and how many they
 // are is where the tasks of length b have their place.
 #include "exercise.h"
 
@@ -21,7 +21,7 @@ void work_off(uint32_t n, const uint32_t *length, uint32_t longest,
         order[places[length[i]]++] = i;
     // Now places[b] is behind the tasks of length b.
     for (uint32_t b = 1; b <= longest && places[b] > 0; b++)
-        step(places[b], order);
+        make_round(places[b], order);
     //- starter
     // // Your turn: so far one task at a time is worked off, and as if
     // // all of them were as long as the longest.
@@ -29,7 +29,7 @@ void work_off(uint32_t n, const uint32_t *length, uint32_t longest,
     // for (uint32_t i = 0; i < n; i++) {
     //     order[0] = i;
     //     for (uint32_t b = 0; b < places[0]; b++)
-    //         step(length[i] > 0, order);
+    //         make_round(length[i] > 0, order);
     // }
     //- end
 }

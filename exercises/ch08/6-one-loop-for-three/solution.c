@@ -1,6 +1,6 @@
-// All lanes measure in every step, wherever on its way each of them is.
-// Before a step, the lanes whose cells are exhausted are sent to the
-// next one, together, and again, until their cells have points.
+// All lanes measure in every round, wherever on its way each of them
+// is. Before a round, the lanes whose cells are exhausted are sent to
+// the next one, together, and again, until their cells have points.
 #include "exercise.h"
 
 //- solution

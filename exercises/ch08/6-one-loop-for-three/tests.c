@@ -1,5 +1,5 @@
 // Tests of the single loop: which points each task was compared with,
-// when it was given its next cell, and how many steps it took.
+// when it was given its next cell, and how many rounds it took.
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
@@ -18,7 +18,7 @@ static struct way {
 static uint8_t *measured;
 static uint32_t *shown; // the cells of its way that a task knows of
 static struct notes {
-    uint32_t steps, calls;
+    uint32_t rounds, calls;
     uint64_t given;
     enum {
         NOTHING,
@@ -31,7 +31,7 @@ static struct notes {
     } fault;
     uint32_t lanes, task, place; // of the fault
     bool strayed;
-    uint32_t stray_step, stray_task, stray_place; // of the first one
+    uint32_t stray_round, stray_task, stray_place; // of the first one
 } * notes;
 
 static uint32_t count_of(uint32_t cell)
@@ -111,7 +111,7 @@ static void note(uint32_t task, uint32_t place)
     if (notes->strayed || !stray)
         return;
     notes->strayed = true;
-    notes->stray_step = notes->steps;
+    notes->stray_round = notes->rounds;
     notes->stray_task = task;
     notes->stray_place = place;
 }
@@ -128,7 +128,7 @@ void measure(uint32_t lanes, const uint32_t *task,
             fault(BAD_PLACE, lanes, task[l], place[l]);
         note(task[l], place[l]);
     }
-    notes->steps++;
+    notes->rounds++;
 }
 
 // ---- inputs --------------------------------------------------------
@@ -189,9 +189,9 @@ static uint32_t kth_count(uint32_t task, uint32_t k, bool skip_empty)
     return 0;
 }
 
-// The steps of nested loops: all wait for the fullest of the first
+// The rounds of nested loops: all wait for the fullest of the first
 // cells, then of the second ones, and so on.
-static uint32_t nested_steps(bool skip_empty)
+static uint32_t nested_rounds(bool skip_empty)
 {
     uint32_t sum = 0;
     for (uint32_t k = 0; k < LONGEST_WAY; k++) {
@@ -331,7 +331,7 @@ static const char *stray_cause(void)
     uint32_t task = notes->stray_task, place = notes->stray_place;
     if (*mark_of(task, place) == 2)
         return "It has been compared with this one before. Does every "
-               "step take the next place?";
+               "round take the next place?";
     for (uint32_t k = 0; k < ways[task].cells; k++)
         if (place == start[ways[task].cell[k] + 1])
             return "That is just behind a cell on its way: a cell ends "
@@ -349,8 +349,8 @@ static void check_lanes(void)
               .expected = "only points of the cells on its way, once "
                           "each",
               .found =
-                  kit_text("place %u in step %u", notes->stray_place,
-                           notes->stray_step + 1),
+                  kit_text("place %u in round %u", notes->stray_place,
+                           notes->stray_round + 1),
               .cause = stray_cause());
 }
 
@@ -368,36 +368,36 @@ static void check_cells(void)
               .cause = "A task with a point left in its cell needs no "
                        "other, nor does one that was told NOWHERE.");
     if (notes->calls > most_calls)
-        WRONG(.expected =
-                  kit_text("at most %ju calls of next_cell: before "
-                           "each step one, and one for each empty cell "
-                           "of the longest desert",
-                           (uintmax_t)most_calls),
+        WRONG(.expected = kit_text(
+                  "at most %ju calls of next_cell: before "
+                  "each round one, and one for each empty cell "
+                  "of the longest desert",
+                  (uintmax_t)most_calls),
               .found = kit_text("%u", notes->calls),
               .cause =
-                  "All tasks that need a cell before a step are in "
+                  "All tasks that need a cell before a round are in "
                   "one call.");
 }
 
-static void check_steps(void)
+static void check_rounds(void)
 {
     uint32_t most = most_points();
     check_lanes();
-    const bool nested = notes->steps == nested_steps(false) ||
-                        notes->steps == nested_steps(true);
+    const bool nested = notes->rounds == nested_rounds(false) ||
+                        notes->rounds == nested_rounds(true);
     kit_bands(
-        (double)notes->steps / most,
+        (double)notes->rounds / most,
         (struct kit_band[]){{1, 6}, {1.5, 3}, {0, 0}},
         (struct kit_fault){
-            .expected = kit_text("%u steps, the points on the longest "
+            .expected = kit_text("%u rounds, the points on the longest "
                                  "way",
                                  most),
-            .found = kit_text("%u", notes->steps),
+            .found = kit_text("%u", notes->rounds),
             .cause =
-                nested ? "These are the steps of nested loops: a task "
+                nested ? "These are the rounds of nested loops: a task "
                          "that has finished its cell waits for all "
                          "others. Let it go on."
-                       : "In every step all tasks that have work left "
+                       : "In every round all tasks that have work left "
                          "should measure."});
 }
 
@@ -430,10 +430,10 @@ static void cells_together(uint64_t seed)
     check_cells();
 }
 
-static void steps(uint64_t seed)
+static void rounds(uint64_t seed)
 {
     prepare(STRIP, 200, 0, 4, seed);
-    check_steps();
+    check_rounds();
 }
 
 const struct kit_test kit_tests[] = {
@@ -441,6 +441,6 @@ const struct kit_test kit_tests[] = {
     {"lanes", 1, "and no others, though cells are empty", lanes},
     {"cells", 2, "next_cell for lanes that need it, together",
      cells_together},
-    {"steps", 6, "no lane waits for another", steps},
+    {"rounds", 6, "no lane waits for another", rounds},
     {0},
 };

@@ -1,4 +1,4 @@
 # Works off one task after the other.
 # expect: Order them once
 # why: It is the plain loop, right and idle.
-s/^        step(places\[b\], order);/        for (uint32_t l = 0; l < places[b]; l++)\n            step(1, order + l);/
+s/^        make_round(places\[b\], order);/        for (uint32_t l = 0; l < places[b]; l++)\n            make_round(1, order + l);/
