@@ -20,7 +20,7 @@ plot table using (kind("column", $4)):(y_min):(0):(y_max - y_min) \
        with vectors nohead ls 10, \
      "" using (x_min):(kind("row", $5)):(x_max - x_min):(0) \
        with vectors nohead ls 10, \
-     "" using (kind("cell", $4)):5:(sprintf("%d", $6)) \
+     "" using (kind("cell", $4) - 0.078):($5 + 0.11):(sprintf("%d", $6)) \
        with labels font ",20" tc rgb "#b9c7d8", \
      "" using (kind("point", $4)):5 with points pt 7 ps 0.5 lc rgb "black", \
      "" using (kind("point", $4)):5:(sprintf("%d", $3)) \

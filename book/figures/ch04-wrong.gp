@@ -18,6 +18,6 @@ set key top right
 set xtics ("1/4" 0.25, "1/2" 0.5, "1" 1, "2" 2, "3" 3, "4" 4)
 q(k) = 2 * erf(2 * k) - erf(k) + (exp(-4 * k * k) - exp(-k * k)) / (k * sqrt(pi))
 set samples 200
-plot [0.22:3.6] 1 - q(sqrt(pi * x))**2 with lines lt 1 title "expected", \
+plot [0.22:4.1] 1 - q(sqrt(pi * x))**2 with lines lt 1 title "expected", \
      table using "c":(column("wrong") > 0 ? column("wrong") : NaN) \
        with points pt 6 ps 0.9 lc rgb "black" title "counted"

@@ -84,9 +84,9 @@ INLINED void visit_rows(const enum geometry geometry,
 //> Fill the lanes
 // Idle lanes are filled with the points that follow, as far as there
 // are any, and never find a better candidate.
-INLINED void fill(struct batch *b, const struct sorted *sorted,
-                  uint32_t last)
+INLINED void fill(struct batch *b, const struct sorted *sorted)
 {
+    const uint64_t last = sorted->points.n - 1;
 #pragma omp simd
     for (int lane = 0; lane < BATCH; lane++) {
         uint64_t s = (uint64_t)b->begin + lane;
@@ -145,14 +145,10 @@ INLINED void search_stripe(const enum geometry geometry,
                            struct batch batch, uint32_t end,
                            struct answers *answers)
 {
-    const uint32_t last = sorted->points.n - 1;
     for (uint64_t s = batch.begin; s < end; s += BATCH) {
         batch.begin = s;
         batch.width = end - s < BATCH ? (int)(end - s) : BATCH;
-        if (last - s >= BATCH - 1) // no need to look where it ends
-            fill(&batch, sorted, UINT32_MAX);
-        else
-            fill(&batch, sorted, last);
+        fill(&batch, sorted);
         search_batch(geometry, question->space, sorted, &batch);
         for (int lane = 0; lane < batch.width; lane++) {
             uint32_t i = sorted->cells.point[s + lane];

@@ -12,7 +12,8 @@
 
 //> Find where a cell begins
 // The least x that lies in cell k or beyond. low + k / scale is right
-// but for a few roundings; between its two neighbors we halve.
+// but for a few roundings; we halve from so much below it to as much
+// above it.
 static double begin_of(const struct axis *axis, double high, uint32_t k)
 {
     double guess = axis->low + k / axis->scale;
@@ -66,6 +67,7 @@ void axis_free(struct axis *axis)
     *axis = (struct axis){0};
 }
 
+// clang-format off
 //> Find the box of the points
 // Several at a time: each comparison waits for the last of its own
 // lane only.
@@ -78,10 +80,8 @@ struct extent extent_of(const double *values, uint32_t n, int threads)
         lowest[k] = highest[k] = values[0];
     const uint32_t whole = n - n % LANES;
     //> Keep sixteen lowest and sixteen highest
-#pragma omp parallel for num_threads(threads) reduction(min       \
-                                                        : lowest) \
-    reduction(max                                                 \
-              : highest)
+#pragma omp parallel for num_threads(threads) \
+    reduction(min : lowest) reduction(max : highest)
     for (uint32_t i = 0; i < whole; i += LANES)
         for (int k = 0; k < LANES; k++) {
             double value = values[i + k];
@@ -90,16 +90,17 @@ struct extent extent_of(const double *values, uint32_t n, int threads)
         }
     //<
     for (uint32_t i = whole; i < n; i++) {
-        lowest[0] = fmin(lowest[0], values[i]);
-        highest[0] = fmax(highest[0], values[i]);
+        lowest[0] = MIN(values[i], lowest[0]);
+        highest[0] = MAX(values[i], highest[0]);
     }
     for (int k = 1; k < LANES; k++) {
-        lowest[0] = fmin(lowest[0], lowest[k]);
-        highest[0] = fmax(highest[0], highest[k]);
+        lowest[0] = MIN(lowest[k], lowest[0]);
+        highest[0] = MAX(highest[k], highest[0]);
     }
     return (struct extent){lowest[0], highest[0]};
 }
 //<
+// clang-format on
 
 //> Share the cells between columns and rows
 // Cells are square if columns / rows = width / height. A box that is

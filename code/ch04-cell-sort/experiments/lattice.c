@@ -1,7 +1,9 @@
 // The same number of cells and distances twice: uniform points, and a
 // lattice with four points in every cell. Whatever takes longer with
-// the first is not the arithmetic. Wraparound, one thread, search only.
+// the first is not the arithmetic. The candidates are those of batches
+// of four. Wraparound, one thread, search only.
 //     lattice [SIDE [TRIALS]]
+#include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/experiments/bench.h"
 #include "ch04-cell-sort/point_by_point.h"
 
@@ -9,12 +11,16 @@ enum { KINDS = 2, PER_CELL = 4 };
 
 static const char *const kinds[KINDS] = {"uniform", "lattice"};
 
-static struct counts count(const struct bench *bench)
+typedef void search_of(const struct question *question,
+                       const struct sorted *sorted,
+                       struct answers *answers);
+
+static struct counts count(const struct bench *bench, search_of *search)
 {
     struct counts counts = {0};
     struct question question = bench->question;
     question.counts = &counts;
-    search_sorted(&question, &bench->sorted, bench->answers);
+    search(&question, &bench->sorted, bench->answers);
     return counts;
 }
 
@@ -34,11 +40,13 @@ int main(int argc, char **argv)
         versions[2 * k + 1] = bench_trial(&benches[k], "batches");
     }
     time_in_turn(trials, versions, 2 * KINDS);
-    columns(&e, "name n cells distances sorted:3 batches:3");
+    columns(&e, "name n cells distances candidates sorted:3 batches:3");
     for (int k = 0; k < KINDS; k++) {
-        struct counts counts = count(&benches[k]);
-        row_of_times(&versions[2 * k], 2, n, "%s\t%u\t%.4g\t%.4g",
-                     kinds[k], n, (double)counts.cells / n,
-                     (double)counts.distances / n);
+        struct counts points = count(&benches[k], search_sorted);
+        struct counts fours = count(&benches[k], search_batches);
+        row_of_times(&versions[2 * k], 2, n, "%s\t%u\t%.4g\t%.4g\t%.4g",
+                     kinds[k], n, (double)points.cells / n,
+                     (double)points.distances / n,
+                     (double)fours.distances / n);
     }
 }
