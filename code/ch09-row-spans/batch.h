@@ -16,16 +16,18 @@ enum {
     STAGED = 80, // places for a row,
     PAD = 8,     // of which so many stay free at each end
     STEP = 4,    // candidates that a sweep takes at a time
-    PLACES = ROWS * STAGED + PAD,
+    PLACES = ROWS * STAGED,
     PLACE_MASK = 0xFF // the bits of a float that hold a place
 };
 _Static_assert(PLACES <= PLACE_MASK + 1,
                "eight bits number all places");
 _Static_assert(STEP <= PAD, "a sweep's last step ends in the pad");
+_Static_assert(BATCH <= PAD, "so do eight places from a query on");
 
 // A squared distance beyond any that are compared, whose low bits are
-// 0, and a coordinate beyond that. What is at FAR is no query's
-// neighbor; only a lane without a query may name it.
+// 0, and a coordinate whose square is beyond that. What is at FAR is no
+// query's neighbor. A batch of fewer than eight has lanes without a
+// query; only these may name it.
 static const float FAR2 = 0x1p100f, FAR = 0x1p60f;
 //<
 
@@ -43,7 +45,7 @@ struct scene {
 //> Hold the staging buffer
 // Coordinates are measured from an origin near the queries, so that
 // single precision is enough for them. Row r has the places from
-// r * STAGED on: a pad of FAR, the candidates, two pads of FAR; what is
+// r * STAGED on: a pad of FAR, the candidates, a pad of FAR; what is
 // left before the next row is not read. The columns first .. last are
 // staged, counted on beyond the grid where it wraps around: -1 is the
 // last one, seen one period back. There a row has two parts, and the

@@ -159,7 +159,7 @@ static void fill_far(struct staging *staging, uint32_t place,
 
 //> Stage a row
 // Says whether the row has room for them. Kernels write up to PAD
-// places too many, over which two pads of FAR are written.
+// places too many, over which a pad of FAR is written.
 static bool stage_row(const struct scene *scene,
                       const struct parts *parts, uint32_t k,
                       struct staging *staging)
@@ -177,7 +177,7 @@ static bool stage_row(const struct scene *scene,
     staging->row[k].shift[1] = place - part[1].begin;
     if (second > 0)
         scene->kernels->stage(scene->sorted, &part[1], place, staging);
-    fill_far(staging, place + second, 2 * PAD);
+    fill_far(staging, place + second, PAD);
     return true;
 }
 //<
