@@ -96,8 +96,8 @@ INLINED void look_up(const struct staging *staging,
 //<
 
 //> Certify eight with AVX2
-// The places become candidates, these get their distances, and a lane
-// is certified if no other point can compete, in the block or beyond.
+// The candidates get their distances, and a lane is certified if no
+// other point can compete, in the block or beyond.
 USE_AVX2
 INLINED uint32_t certify(const enum geometry geometry,
                          verify_function *verify,
