@@ -13,7 +13,7 @@ programs = "row-spans spiral nanoflann CGAL ANN FLANN"
 # What is ours has lines and full marks; the libraries, which lie close
 # together, have thin lines and open marks of different shapes.
 set linetype 1 lc rgb "#14447c" lw 2.2 dt 1     pt 7  ps 0.6
-set linetype 2 lc rgb "#14447c" lw 1.2 dt (8,3) pt 13 ps 0.7
+set linetype 2 lc rgb "#8a2a6a" lw 1.4 dt (8,3) pt 13 ps 0.7
 set linetype 3 lc rgb "#c4511a" lw 0.8 dt 1     pt 4  ps 0.75
 set linetype 4 lc rgb "#2f7d4f" lw 0.8 dt 1     pt 8  ps 0.85
 set linetype 5 lc rgb "#000000" lw 0.8 dt (2,3) pt 2  ps 0.7
@@ -30,7 +30,7 @@ do for [kind in "uniform clustered kuzmin"] {
     left = order eq "unordered"
     set title (kind ne "uniform" ? "" : left ? "points as they come" : "points in strips") offset 0,-0.6
     set label 1 (kind eq "kuzmin" ? "Kuzmin" : kind) at graph 0.04, graph 0.91 front
-    set ylabel (left ? "ns a point" : "") offset 0.5
+    set ylabel (left ? "ns a point" : "") offset -0.2
     set format y (left ? powers : "")
     set xlabel (kind eq "kuzmin" ? "points" : "")
     if (kind eq "kuzmin") {

@@ -12,6 +12,6 @@ set ylabel "ns a point"
 set yrange [0:*]
 set bmargin 3
 set key outside top center horizontal
-set xtics ("fit" 0, "sort,\ncopy" 1, "parti-\ntion" 2, "straight,\nby 8" 3, "by\n1,024" 4, "search" 5, "in\nplace" 6, "all" 7, "floor" 8) scale 0
+set xtics ("fit" 0, "sort,\ncopy" 1, "parti-\ntion" 2, "by\n8" 3, "by\n1,024" 4, "search" 5, "in\nplace" 6, "all" 7, "floor" 8) scale 0
 plot table using "one" lt 1 fs solid 0.35 title "one thread", \
      "" using "all" lt 2 fs pattern 4 title "all processors"

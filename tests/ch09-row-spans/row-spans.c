@@ -6,6 +6,7 @@
 #include "ch09-row-spans/experiments/expected_spans.h"
 #include "ch09-row-spans/portable_batch.h"
 #include "ch09-row-spans/row_spans.h"
+#include "ch09-row-spans/staging.h"
 #include "common/isa.h"
 #include "harness.h"
 #include "memory.h"
@@ -204,6 +205,53 @@ static void slacks_have_a_reason(void)
     }
 }
 
+// ---- pads ----------------------------------------------------------
+// Nothing near that a buffer held before is left where a sweep may look
+// beyond a row's candidates, whatever a kernel has written there.
+static void check_pads(const struct staging *staging, uint32_t begin)
+{
+    for (uint32_t k = 0; k < ROWS; k++) {
+        const struct staged_row *row = &staging->row[k];
+        if (row->start == NULL)
+            continue;
+        const uint32_t end =
+            row->start[staging->last + 1] + row->shift[0];
+        for (uint32_t pad = 0; pad < PAD; pad++) {
+            CHECK_NEAR(FAR, staging->place_x[k * STAGED + pad], 0,
+                       "before row %u from %u on", k, begin);
+            CHECK_NEAR(FAR, staging->place_x[end + pad], 0,
+                       "behind row %u from %u on", k, begin);
+        }
+    }
+}
+
+static void pads_are_far(void)
+{
+    enum { N = 2000 };
+    struct points points = generate(find_distribution("uniform"), N, 5);
+    const struct question question = {points, {STANDARD, 1, 1}, 1};
+    struct sorted sorted = sorted_make(&question, POINTS_PER_SPAN_CELL);
+    const struct scene scene = {question.space, &sorted,
+                                span_kernels()};
+    const struct axis *up = &sorted.grid.y;
+    const double *y = sorted.points.y;
+    int opened = 0;
+    for (uint32_t s = 0; s + BATCH <= N; s++) {
+        const uint32_t row = axis_cell(up, y[s]);
+        static struct staging staging;
+        staging = (struct staging){0};
+        staging_prepare(&staging, INFINITY);
+        if (axis_cell(up, y[s + BATCH - 1]) == row &&
+            staging_open(&scene, row, s, BATCH, &staging)) {
+            check_pads(&staging, s);
+            opened++;
+        }
+    }
+    CHECK(opened > N / 2, "%d buffers are opened", opened);
+    sorted_free(&sorted);
+    points_free(&points);
+}
+
 // ---- memory --------------------------------------------------------
 static void memory_is_kept(void)
 {
@@ -218,5 +266,5 @@ int main(void)
         TEST(avx512_answers), TEST(order_restored), TEST(many_as_ever),
         TEST(counts_as_expected), TEST(counts_of_any_threads),
         TEST(ties_are_answered_exactly), TEST(slacks_have_a_reason),
-        TEST(memory_is_kept));
+        TEST(pads_are_far), TEST(memory_is_kept));
 }
