@@ -3,7 +3,7 @@
 // of some hundred operations at most, each with an allowance for what
 // rounding may have done. With u = 2^-53 and the size M, places are
 // wrong by 160 u M at most: by u M from their subtraction, and by as
-// much from each of up to 134 halvings.
+// much from each of up to 135 halvings.
 #include "ch13-contact/sweep.h"
 #include "ch13-contact/vectors.h"
 

@@ -42,9 +42,10 @@ static void sides_of_nodes(const struct triangle *node,
 //<
 
 //> Find how edges pass each other
-// The edge i of p, from its corner i to the next, and the edge j of q:
-// 1 if the one winds around the other like the thread of a screw, -1 if
-// the other way, 0 if they lie in a plane.
+// The edge i of p, from its corner i to the next, and the edge j of q.
+// Seen so that the edge of q comes straight towards the eye, it passes
+// to the left of the edge of p, 1, or to its right, -1; 0 if the two
+// lie in a plane.
 static void turns_of_edges(const struct triangle *p,
                            const struct triangle *q, int turn[3][3],
                            uint64_t *expanded)
