@@ -12,7 +12,9 @@ struct corners {
     double at[2][6][3];
     double apart; // how far is surely far enough
 };
+//<
 
+//> See both from one corner
 static struct corners corners_of(const struct moving_triangle *p,
                                  const struct moving_triangle *q,
                                  double tolerance)
