@@ -5,13 +5,14 @@
 void all_broad_phases(void);
 void moving_scenes(void);
 void work_grows_linearly(void);
+void a_step_grows_linearly(void);
 void nothing_is_allocated(void);
 void tables_are_searched(void);
 
-#define BROAD_TESTS                                            \
-    TEST(all_broad_phases), TEST(moving_scenes),               \
-        TEST(work_grows_linearly), TEST(nothing_is_allocated), \
-        TEST(tables_are_searched)
+#define BROAD_TESTS                                             \
+    TEST(all_broad_phases), TEST(moving_scenes),                \
+        TEST(work_grows_linearly), TEST(a_step_grows_linearly), \
+        TEST(nothing_is_allocated), TEST(tables_are_searched)
 
 void boxes_hold_all_events(void);
 void boxes_have_their_margin(void);
