@@ -1,3 +1,3 @@
 #!/bin/sh
 # A pile over its steps
-exec "$BUILD/ch13/pile" ${FULL:+200 500}
+exec "$BUILD/ch13/pile" ${FULL:+1000 2000 40}

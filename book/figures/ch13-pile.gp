@@ -1,7 +1,9 @@
 # A pile over its steps.
-# alt: Candidates, pairs that twelve directions leave, and touches, over
-# the steps of a pile, on a logarithmic axis. All rise steeply while the
-# bodies land, until about step 200, and are then nearly level.
+# alt: Candidates, pairs that are tested, pairs that twelve directions
+# leave, and bodies asleep, over the steps of a pile, on a logarithmic
+# axis. All rise steeply while the bodies land, until about step 300.
+# Then candidates are nearly level, more and more bodies sleep, and
+# fewer and fewer pairs are tested.
 # demo: plot
 height = 2.7
 load "book/figures/style.gp"
@@ -10,9 +12,10 @@ above(x) = x > 0 ? x : NaN
 set logscale y
 set format y powers
 set xlabel "step"
-set ylabel "pairs or touches"
+set ylabel "pairs or bodies"
 set key bottom right
 set datafile missing NaN
 plot table using "step":(above(column("candidates"))) title "candidates", \
+  table using "step":(above(column("paired"))) title "tested", \
   table using "step":(above(column("narrow"))) title "left by twelve directions", \
-  table using "step":(above(column("touches"))) title "touches"
+  table using "step":(above(column("asleep"))) title "bodies asleep"

@@ -71,14 +71,15 @@ static void keep_event(struct event_list *list, struct event event)
 //<
 
 //> Skip what has been tested
-// Whether a node of these came to rest in this round, and one moves.
+// Whether a node of these came to rest in this round, and one moves; in
+// the first round nothing has been tested.
 static bool is_wanted(const struct event_search *search,
                       struct pair pair)
 {
     const struct scene *scene = search->scene;
     if (!search->still)
         return true;
-    bool fresh = false, moves = false;
+    bool fresh = search->round == 1, moves = false;
     for (int c = 0; c < 6; c++) {
         const uint32_t t = c < 3 ? pair.one : pair.other;
         const uint32_t i = scene->mesh.corner[t][c % 3];

@@ -49,7 +49,7 @@ void read_obj(struct lines *lines, struct mesh *mesh)
     while (next_line(lines)) {
         if (begins_with(lines->line, "v"))
             take_node(lines, behind_word(lines->line), mesh,
-                      "v and three coordinates");
+                      "v and three finite coordinates");
         else if (begins_with(lines->line, "f"))
             take_face(lines, first, mesh);
     }

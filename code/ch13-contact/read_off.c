@@ -83,9 +83,9 @@ void read_off(struct lines *lines, struct mesh *mesh)
     const uint32_t first = mesh->nodes;
     const struct off_head head = read_head(lines);
     for (uint32_t i = 0; i < head.nodes; i++) {
-        need_line(lines, "three coordinates of a node");
+        need_line(lines, "three finite coordinates of a node");
         take_node(lines, lines->line, mesh,
-                  "three coordinates of a node");
+                  "three finite coordinates of a node");
     }
     for (uint32_t f = 0; f < head.faces; f++) {
         need_line(lines, "the corners of a face");

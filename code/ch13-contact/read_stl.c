@@ -40,7 +40,7 @@ static void take_facet(struct lines *lines, struct mesh *mesh)
     for (int k = 0; k < 3; k++) {
         need_word(lines, "vertex");
         take_node(lines, behind_word(lines->line), mesh,
-                  "vertex and three coordinates");
+                  "vertex and three finite coordinates");
     }
     need_word(lines, "endloop");
     need_word(lines, "endfacet");

@@ -55,6 +55,8 @@ static double give_of(const struct lever *lever, const double along[3])
     double turn[3], weights2 = 0;
     for (int s = 0; s < lever->side.count; s++)
         weights2 += lever->side.weight[s] * lever->side.weight[s];
+    if (is_held(body))
+        return 0;
     if (body->motion == SOFT)
         return body->lightness * weights2;
     cross(lever->arm, along, turn);
@@ -128,6 +130,11 @@ void push_apart(const struct touches *touches, struct scene *scene)
     for (int round = 0; round < touches->rounds; round++)
         for (uint32_t t = 0; t < touches->count; t++) {
             const struct touch *touch = &touches->touch[t];
+            uint32_t two[2];
+            bodies_of_touch(touch, scene, two);
+            if (is_held(&scene->body[two[0]]) &&
+                is_held(&scene->body[two[1]]))
+                continue;
             const struct lever lever[2] = {
                 lever_of(scene, &touch->event, 0),
                 lever_of(scene, &touch->event, 1)};

@@ -1,11 +1,13 @@
 //> Declare the scene
 // Bodies and how they move. A rigid body is where its middle is,
-// turned; of a soft one, each node moves on its own; a fixed one stays.
+// turned; of a soft one, each node moves on its own; a fixed one stays,
+// and so does one that sleeps, a rigid one at rest (sleep.h).
 #pragma once
 #include "ch13-contact/mesh.h"
+#include <stdbool.h>
 
 //> Hold a body
-enum motion { FIXED, RIGID, SOFT };
+enum motion { FIXED, RIGID, SOFT, ASLEEP };
 
 struct body {
     enum motion motion;
@@ -16,6 +18,12 @@ struct body {
     double lightness; // 1 / mass, 0 if fixed
     double ease;      // 1 / moment of inertia: how easily it is turned
 };
+
+// Whether it stays, whatever comes.
+static inline bool is_held(const struct body *body)
+{
+    return body->motion == FIXED || body->motion == ASLEEP;
+}
 //<
 
 //> Hold a scene

@@ -25,6 +25,7 @@ struct simulation simulation_of(struct scene scene,
         .tolerance = 1e-9,
         .threads = threads,
         .touches = {.friction = 0.4, .life = 8, .rounds = 10},
+        .sleepers = sleepers_of(&scene, 16),
         .still = allocate(scene.mesh.nodes, sizeof(uint32_t))};
 }
 
@@ -37,6 +38,7 @@ void simulation_free(struct simulation *s)
     events_free(&s->events);
     events_free(&s->more);
     touches_free(&s->touches);
+    sleepers_free(&s->sleepers);
     free(s->still);
 }
 //<
@@ -70,7 +72,7 @@ static void begin_rounds(struct simulation *s)
     const struct scene *scene = &s->scene;
     for (uint32_t i = 0; i < scene->mesh.nodes; i++) {
         const uint32_t b = scene->body_of_node[i];
-        s->still[i] = scene->body[b].motion == FIXED;
+        s->still[i] = is_held(&scene->body[b]);
     }
 }
 //<
@@ -82,7 +84,6 @@ static void stop_in_rounds(struct simulation *s,
     const struct events *events = &s->events;
     struct event_search search = {&s->scene, &s->pairs,  s->tolerance,
                                   s->still,  .round = 2, s->threads};
-    begin_rounds(s);
     for (;;) {
         uint32_t fresh = 0;
         for (uint64_t e = 0; e < events->all.count; e++)
@@ -140,14 +141,14 @@ static void advance(struct simulation *s)
 //> Handle the events
 static void handle(struct simulation *s, struct step_report *report)
 {
-    if (s->passive) {
-        begin_rounds(s);
-    } else {
-        grow_old(&s->touches);
+    if (!s->passive) {
+        grow_old(&s->touches, &s->scene);
         remember(&s->touches, &s->scene, &s->events);
         stop_in_rounds(s, report);
     }
     advance(s);
+    if (!s->passive)
+        sleep_or_wake(&s->sleepers, &s->scene, &s->touches);
 }
 //<
 
@@ -164,7 +165,10 @@ static void search_pairs(struct simulation *s)
     const struct event_search search = {.scene = &s->scene,
                                         .pairs = &s->pairs,
                                         .tolerance = s->tolerance,
+                                        .still = s->still,
+                                        .round = 1,
                                         .threads = s->threads};
+    begin_rounds(s);
     find_events(&s->events, &search);
 }
 
@@ -195,11 +199,13 @@ struct step_report take_step(struct simulation *s)
         report.ns[phase] = begin[phase + 1] - begin[phase];
     report.tested = s->pairs.tested;
     report.candidates = s->pairs.count;
+    report.paired = s->events.all.pairs;
     report.apart = s->events.all.apart;
     report.hits = s->events.all.hits;
     report.events = s->events.all.count;
     report.tests = s->events.all.counts;
     report.touches = s->touches.count;
+    report.asleep = s->sleepers.asleep;
     return report;
 }
 //<

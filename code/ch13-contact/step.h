@@ -5,6 +5,7 @@
 #pragma once
 #include "ch13-contact/broad.h"
 #include "ch13-contact/respond.h"
+#include "ch13-contact/sleep.h"
 
 //> Hold what a step cost
 enum phase { PREDICT, CAPTURE, BROAD, NARROW, HANDLE, PHASES };
@@ -12,10 +13,12 @@ enum phase { PREDICT, CAPTURE, BROAD, NARROW, HANDLE, PHASES };
 struct step_report {
     uint64_t tested;     // pairs of boxes that were looked at
     uint64_t candidates; // pairs whose boxes meet
-    uint64_t apart;      // of these, separated by an axis
+    uint64_t apart;      // of these last, separated by an axis
     uint64_t hits;       // of the others, pairs with an event
     uint64_t events;     // each once
+    uint64_t paired;     // candidates of which something moves
     uint32_t touches;    // remembered
+    uint32_t asleep;     // bodies, after the step
     uint32_t stopped;    // nodes that stay where they are
     uint32_t rounds;     // until nothing touches
     struct event_counts tests;
@@ -38,6 +41,7 @@ struct simulation {
     struct events events; // of the last step
     struct events more;   // of the rounds after the first
     struct touches touches;
+    struct sleepers sleepers;
     uint32_t *still; // of each node: see find_events.h
 };
 //<

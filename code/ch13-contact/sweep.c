@@ -7,6 +7,7 @@
 #include "ch13-contact/sweep.h"
 #include "ch13-contact/foot.h"
 #include "ch13-contact/vectors.h"
+#include "common/min_max.h"
 #include <assert.h>
 
 //> Hold a piece of the motion
@@ -61,7 +62,8 @@ static double motion_of(const struct sweep *sweep)
         double way[3];
         subtract(sweep->corner[k].place[1], sweep->corner[k].place[0],
                  way);
-        motion = fmax(motion, largest(way));
+        const double most = largest(way);
+        motion = MAX(motion, most);
     }
     return motion;
 }

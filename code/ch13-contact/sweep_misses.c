@@ -6,14 +6,17 @@
 // much from each of up to 135 halvings.
 #include "ch13-contact/sweep.h"
 #include "ch13-contact/vectors.h"
+#include "common/min_max.h"
 
 //> Bound what rounding spoils
 double sweep_size(const struct sweep *sweep)
 {
     double size = 0;
     for (int k = 0; k < sweep->corners; k++)
-        for (int end = 0; end < 2; end++)
-            size = fmax(size, largest(sweep->corner[k].place[end]));
+        for (int end = 0; end < 2; end++) {
+            const double most = largest(sweep->corner[k].place[end]);
+            size = MAX(size, most);
+        }
     return size;
 }
 
@@ -38,19 +41,27 @@ bool sweep_is_beside(const struct sweep *sweep, const double n[3],
     for (int k = 0; k < sweep->corners; k++)
         for (int end = 0; end < 2; end++) {
             const double side = dot(n, sweep->corner[k].place[end]);
-            min = fmin(min, side);
-            max = fmax(max, side);
+            min = MIN(min, side);
+            max = MAX(max, side);
         }
     return length > 0x1p-600 &&
            (min > allowance * length || max < -allowance * length);
 }
 
+// Of the three planes of coordinates, n v is a coordinate of v.
 bool sweep_box_misses(const struct sweep *sweep, double allowance)
 {
-    static const double axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    return sweep_is_beside(sweep, axis[0], allowance) ||
-           sweep_is_beside(sweep, axis[1], allowance) ||
-           sweep_is_beside(sweep, axis[2], allowance);
+    bool beside = false;
+    for (int x = 0; x < 3; x++) {
+        double min = INFINITY, max = -INFINITY;
+        for (int k = 0; k < sweep->corners; k++)
+            for (int end = 0; end < 2; end++) {
+                min = MIN(min, sweep->corner[k].place[end][x]);
+                max = MAX(max, sweep->corner[k].place[end][x]);
+            }
+        beside |= min > allowance || max < -allowance;
+    }
+    return beside;
 }
 //<
 

@@ -17,6 +17,14 @@ struct side side_of(const struct event *event, int side)
                                      event->weight + split, 4 - split};
 }
 
+void bodies_of_touch(const struct touch *touch,
+                     const struct scene *scene, uint32_t two[2])
+{
+    for (int side = 0; side < 2; side++)
+        two[side] =
+            scene->body_of_node[side_of(&touch->event, side).node[0]];
+}
+
 // The weighted place of a side, at a time of the step.
 void place_of_side(const struct scene *scene, struct side side,
                    double time, double place[3])
@@ -89,10 +97,15 @@ static void reserve(struct touches *touches, uint64_t wanted)
     touches->room = room;
 }
 
-void grow_old(struct touches *touches)
+// What touches a body that sleeps is not searched, and so not seen.
+void grow_old(struct touches *touches, const struct scene *scene)
 {
-    for (uint32_t t = 0; t < touches->count; t++)
-        touches->touch[t].age++;
+    for (uint32_t t = 0; t < touches->count; t++) {
+        uint32_t two[2];
+        bodies_of_touch(&touches->touch[t], scene, two);
+        touches->touch[t].age += scene->body[two[0]].motion != ASLEEP &&
+                                 scene->body[two[1]].motion != ASLEEP;
+    }
 }
 //<
 

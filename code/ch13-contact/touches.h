@@ -20,10 +20,11 @@ struct touches {
 };
 //<
 
-// A step has passed; and: adds events to what is remembered, forgets
-// what has not been seen for too long. {0} remembers nothing; released
-// with touches_free.
-void grow_old(struct touches *touches);
+// A step has passed, which ages nothing that touches a body that
+// sleeps; and: adds events to what is remembered, forgets what has not
+// been seen for too long. {0} remembers nothing; released with
+// touches_free.
+void grow_old(struct touches *touches, const struct scene *scene);
 void remember(struct touches *touches, const struct scene *scene,
               const struct events *events);
 void touches_free(struct touches *touches);
@@ -36,6 +37,10 @@ struct side {
     int count;
 };
 //<
+
+// Which two bodies touch: of side 0 and of side 1.
+void bodies_of_touch(const struct touch *touch,
+                     const struct scene *scene, uint32_t two[2]);
 
 // Side 0 or 1 of an event; and its weighted place, at a time of the
 // step.

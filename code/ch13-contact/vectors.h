@@ -1,6 +1,7 @@
 //> Compute with vectors
 // Products and differences of vectors in space.
 #pragma once
+#include "common/min_max.h"
 #include <math.h>
 
 static inline double dot(const double a[3], const double b[3])
@@ -26,6 +27,8 @@ static inline void subtract(const double a[3], const double b[3],
 // The largest coordinate, without its sign.
 static inline double largest(const double a[3])
 {
-    return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
+    const double x = fabs(a[0]), y = fabs(a[1]), z = fabs(a[2]);
+    const double more = MAX(x, y);
+    return MAX(more, z);
 }
 //<

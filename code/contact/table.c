@@ -13,22 +13,23 @@ static void write_text(const char *text)
 
 void write_step_head(void)
 {
-    write_text("step\ttested\tcandidates\tfalse_share\tevents\ttouches"
-               "\tstopped\trounds\tpredict_ns\tcapture_ns\tbroad_ns"
-               "\tnarrow_ns\thandle_ns\n");
+    write_text(
+        "step\ttested\tcandidates\tfalse_share\tevents\ttouches"
+        "\tstopped\trounds\tasleep\tpredict_ns\tcapture_ns\tbroad_ns"
+        "\tnarrow_ns\thandle_ns\n");
 }
 
 void write_step(uint32_t step, const struct step_report *r)
 {
     char line[320];
     const double missed = (double)(r->candidates - r->hits);
-    int used =
-        snprintf(line, sizeof line,
-                 "%" PRIu32 "\t%" PRIu64 "\t%" PRIu64 "\t%.6g\t%" PRIu64
-                 "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32,
-                 step, r->tested, r->candidates,
-                 r->candidates > 0 ? missed / (double)r->candidates : 0,
-                 r->events, r->touches, r->stopped, r->rounds);
+    int used = snprintf(
+        line, sizeof line,
+        "%" PRIu32 "\t%" PRIu64 "\t%" PRIu64 "\t%.6g\t%" PRIu64
+        "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32,
+        step, r->tested, r->candidates,
+        r->candidates > 0 ? missed / (double)r->candidates : 0,
+        r->events, r->touches, r->stopped, r->rounds, r->asleep);
     for (int phase = 0; phase < PHASES; phase++)
         used += snprintf(line + used, sizeof line - used, "\t%" PRId64,
                          r->ns[phase]);

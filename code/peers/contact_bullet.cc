@@ -45,6 +45,8 @@ void *begin_dbvt(const double *box, uint32_t n)
     return fill(new btDbvtBroadphase(), box, n);
 }
 
+// Boxes come one by one, and each of their ends moves past half of all
+// others, along three axes.
 void *begin_sap(const double *box, uint32_t n)
 {
     btVector3 low(INFINITY, INFINITY, INFINITY), high(-low);
@@ -85,7 +87,7 @@ void end(void *made)
 }
 } // namespace
 
-const struct contact_peer contact_dbvt = {"bullet-dbvt", begin_dbvt,
-                                          find, end, 1};
+const struct contact_peer contact_dbvt = {
+    "bullet-dbvt", begin_dbvt, find, end, 1, 0};
 const struct contact_peer contact_sap = {"bullet-sap", begin_sap, find,
-                                         end, 1};
+                                         end,          1,         1};

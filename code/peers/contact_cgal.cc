@@ -52,4 +52,4 @@ void end(void *made)
 } // namespace
 
 const struct contact_peer contact_cgal = {"cgal-boxes", begin, find,
-                                          end, 0};
+                                          end,          0,     0};

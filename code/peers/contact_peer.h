@@ -12,6 +12,7 @@ struct contact_peer {
     uint64_t (*find)(void *kept, const double *box);
     void (*end)(void *kept);
     int is_wide; // it may report pairs that only nearly meet
+    int is_slow; // to begin with: its time grows with the square of n
 };
 
 #ifdef __cplusplus

@@ -240,6 +240,44 @@ void work_grows_linearly(void)
     }
 }
 
+// What a step of a cloud of side^3 bodies in motion counts, for each
+// triangle.
+static void count_step(uint32_t side, const char *broad,
+                       double counts[3])
+{
+    struct scene scene = {0};
+    fill_cloud(&scene, side * side * side, 1, 1);
+    scene_complete(&scene);
+    struct simulation s =
+        simulation_of(scene, find_broad(broad), 0.05, 1);
+    const double n = s.scene.mesh.triangles;
+    for (int step = 0; step < 7; step++) {
+        const struct step_report report = take_step(&s);
+        counts[0] = (double)report.tested / n;
+        counts[1] = (double)report.candidates / n;
+        counts[2] = (double)(report.paired - report.apart) / n;
+    }
+    simulation_free(&s);
+}
+
+// Bodies at the surface have fewer neighbors: a cloud of side 8 has 7/8
+// of those of a cloud without end, a cloud of side 12 has 11/12.
+void a_step_grows_linearly(void)
+{
+    double small[3], large[3], cells[3];
+    count_step(8, "clusters", small);
+    count_step(12, "clusters", large);
+    count_step(8, "cells", cells);
+    CHECK(large[0] < 1.2 * small[0], "looked at: %g, then %g", small[0],
+          large[0]);
+    CHECK(large[1] < 1.2 * small[1] && small[1] > 0.05,
+          "candidates: %g, then %g", small[1], large[1]);
+    CHECK(large[2] < 0.2 * large[1], "%g of %g are searched", large[2],
+          large[1]);
+    CHECK(small[0] < 0.25 * cells[0],
+          "clusters look at %g, cells at %g", large[0], cells[0]);
+}
+
 void nothing_is_allocated(void)
 {
     static const char *const names[] = {"sweep-kept", "clusters"};

@@ -5,5 +5,5 @@
 int main(void)
 {
     return RUN_TESTS("ch13-contact", NARROW_TESTS, BROAD_TESTS,
-                     STEP_TESTS);
+                     STEP_TESTS, SLEEP_TESTS);
 }

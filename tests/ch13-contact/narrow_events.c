@@ -2,6 +2,7 @@
 // against triangles at rest at 1025 times of the step.
 #include "ch13-contact/events.h"
 #include "ch13-contact/triangle_pair.h"
+#include "common/min_max.h"
 #include "narrow.h"
 #include <math.h>
 #include <string.h>
@@ -193,10 +194,11 @@ void planned_contacts_are_found(void)
                 check_event(&event, node, tolerance, "planned");
             }
             CHECK_INT(n, counts.tests, "tests");
-            CHECK(counts.pieces <
-                      (plan == NEEDLE ? 1000 : 100) * (uint64_t)n,
+            // On average; of few, one may be hard.
+            CHECK(counts.pieces < (plan == NEEDLE ? 1000 : 100) *
+                                      (uint64_t)MAX(n, 1000),
                   "%llu pieces", (unsigned long long)counts.pieces);
-            CHECK(plan > SLOW || early < n / 2, "%llu too early",
+            CHECK(plan > SLOW || early < n / 2 + 20, "%llu too early",
                   (unsigned long long)early);
         }
 }

@@ -187,7 +187,7 @@ static double highest(const struct scene *scene)
 {
     double highest = 0;
     for (uint32_t b = 0; b < scene->bodies; b++)
-        if (scene->body[b].motion == RIGID &&
+        if (scene->body[b].motion != FIXED &&
             scene->body[b].place[2] > highest)
             highest = scene->body[b].place[2];
     return highest;
@@ -304,4 +304,38 @@ void bodies_turn(void)
         CHECK_NEAR(rest[2][i], m->x[2][i], 1e-5, "z of node %u", i);
     }
     simulation_free(&s);
+}
+
+// Two boxes that go apart, with so much between them: how far the
+// second one gets.
+static double way_of_near_boxes(double gap)
+{
+    struct scene scene = {0};
+    for (int k = 0; k < 2; k++) {
+        const struct mesh_end since = mesh_end(&scene.mesh);
+        const double side = k ? 1 : -1;
+        add_box(&scene.mesh, 1);
+        scene_add(&scene, since,
+                  &(struct start){RIGID, 1,
+                                  .place = {side * (1 + gap / 2)},
+                                  .velocity = {side}});
+    }
+    scene_complete(&scene);
+    struct simulation s =
+        simulation_of(scene, find_broad("clusters"), 0.01, 1);
+    CHECK_INT(0, count_crossing(&s), "at first");
+    const double begin = s.scene.body[1].place[0];
+    for (int step = 0; step < 10; step++)
+        take_step(&s);
+    const double way = s.scene.body[1].place[0] - begin;
+    simulation_free(&s);
+    return way;
+}
+
+// As the manual of contact says of --tolerance.
+void near_bodies_stay(void)
+{
+    CHECK_NEAR(0.1, way_of_near_boxes(0x1p-33), 1e-9,
+               "within the tolerance");
+    CHECK(way_of_near_boxes(0x1p-46) == 0, "as near as rounding");
 }

@@ -60,6 +60,8 @@ if command -v gnuplot >/dev/null; then
 fi
 rm -r shots
 accepts 'the manual' --help
+says "what stays" yes "$(grep -q "stay where they are" "$out" && echo yes)"
+says "what is refused" yes "$(grep -q "touch at the beginning are refused" "$out" && echo yes)"
 
 refuses 'no scene' 'which scene?'
 refuses 'two scenes' 'the scene comes from a file or from --scene' \
@@ -101,6 +103,19 @@ bad 'gravity and more' ':1: expected gravity and three' \
 bad 'a file without a name' ':1: expected file and the name' 'file\n'
 bad 'crossing bodies' ': bodies 0 and 1, numbered from 0, touch' \
     'box 1\nbox 1 at 0.5 0.5 0.5\n'
+bad 'touching bodies' ': bodies 0 and 1, numbered from 0, touch' \
+    'box 1\nbox 1 at 2 0 0\n'
+accepts 'unless they only pass' bad.scene --passive --steps 2
+bad 'crossing sheets that stay' ': bodies 0 and 1, numbered from 0, touch' \
+    'cloth 1 fixed\nbox 1 at 0.3 0.2 0\n'
+for mesh in 'off OFF\n3_1_0\n0_0_nan\n :3' 'obj v_0_0_0\nv_0_-inf_0\n :2' \
+    'stl solid\nfacet\nouter\nvertex_1_2_inf\n :4'; do
+    set -- $mesh
+    printf "file bad.$1\n" >bad.scene
+    printf "$(echo "$2" | tr _ ' ')" >"bad.$1"
+    refuses "no number in $1" "bad.$1$3: expected" bad.scene
+    rm "bad.$1"
+done
 printf 'file bad.off\n' >bad.scene
 printf 'OFF\n1 1 0\n0 0 0\n3 0 1 2\n' >bad.off
 refuses 'a bad mesh' 'bad.off:4: expected a number of corners' bad.scene

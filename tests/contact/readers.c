@@ -186,10 +186,19 @@ static void bad_meshes_are_refused(void)
         {".off", "", ":1: expected the word OFF, found the end"},
         {".off", "NOFF\n", ":1: expected the word OFF"},
         {".off", "OFF\n1\n", ":2: expected numbers of nodes"},
-        {".off", "OFF 1 1 0\n0 0\n", ":2: expected three coordinates"},
-        {".off", "OFF 1 1 0\n0 0 nan\n", ":2: expected three"},
+        {".off", "OFF 1 1 0\n0 0\n", ":2: expected three finite coord"},
+        {".off", "OFF 1 1 0\n0 0 nan\n",
+         ":2: expected three finite coordinates of a node, found"},
+        {".off", "OFF 1 1 0\n-inf 0 0\n", ":2: expected three finite"},
+        {".obj", "v 0 0 0\nv 0 NaN 0\n",
+         ":2: expected v and three finite coordinates, found"},
+        {".obj", "v 1 2 Infinity\n", ":1: expected v and three fin"},
+        {".obj", "v 1 2 1e999\n", ":1: expected v and three fin"},
+        {".stl", "solid\nfacet\nouter\nvertex 1 nan 2\n",
+         ":4: expected vertex and three finite coordinates, found"},
+        {".stl", "solid\nfacet\nouter\nvertex inf 0 2\n", ":4: exp"},
         {".off", "OFF 1 1 0\n0 0 1e99\n", ":2: expected coordinates"},
-        {".off", "OFF 4e9 1 0\n0 0 1\n", ":3: expected three coord"},
+        {".off", "OFF 4e9 1 0\n0 0 1\n", ":3: expected three finite"},
         {".off", "OFF 1 1 0\n0 0 1\n3 0 0 1\n", ":3: expected a num"},
         {".off", "OFF 1 1 0\n0 0 1\n4000000000 0 0\n", ":3: expected"},
         {".off", "OFF 1 1 0\n0 0 1\n2 0 0\n", ":3: expected a number"},
@@ -200,7 +209,7 @@ static void bad_meshes_are_refused(void)
         {".obj", "v 0 0 0\nf 1 1\n", ":2: expected three or more"},
         {".obj", "v 0 0 0\nf 1 1 0\n", ":2: expected three or more"},
         {".obj", "v 0 0 0\nf 1 1 1x\n", ":2: expected three or more"},
-        {".obj", "v 0 0\n", ":1: expected v and three coordinates"},
+        {".obj", "v 0 0\n", ":1: expected v and three finite"},
         {".obj", "# nothing\n", "expected triangles, found none"},
         {".stl", "solid\nfacet\nvertex 1 2 3\n", ":3: expected outer"},
         {".stl", "solid\nfacet\nouter\nvertex 1 2\n", ":4: expected"},
@@ -217,12 +226,16 @@ static void bad_meshes_are_refused(void)
     }
     unsigned char bytes[184];
     binary_stl(bytes);
-    memset(bytes + 84 + 12, 0xff, 4); // no number
-    write_file(".stl", bytes, 184);
-    struct mesh m = {0};
-    CHECK_FAILS("triangle 0: expected finite coordinates", read_into,
-                &m, "a NaN");
-    unlink(path);
+    static const float odd[] = {NAN, INFINITY, -INFINITY};
+    for (int k = 0; k < 3; k++) {
+        struct mesh m = {0};
+        memcpy(bytes + 84 + 50 + 12 + 12 * k, &odd[k], 4);
+        write_file(".stl", bytes, 184);
+        CHECK_FAILS("triangle 1: expected finite coordinates",
+                    read_into, &m, "%g", (double)odd[k]);
+        unlink(path);
+        binary_stl(bytes);
+    }
 }
 
 // A file with some bytes changed is read, or refused by a sentence; all

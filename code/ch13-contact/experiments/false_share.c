@@ -18,8 +18,9 @@ static void print_share(double dt, uint32_t triangles)
     const double all = (double)report.candidates;
     const double hits = (double)report.hits;
     row("step_%g\t%g\t%.0f\t%.5g\t%.5g\t%.5g\t%.5g\t%.4g\t%.4g",
-        10000 * dt, dt, n, all / n, (all - (double)report.apart) / n,
-        hits / n, (double)report.events / n, (all - hits) / all,
+        10000 * dt, dt, n, all / n,
+        (double)(report.paired - report.apart) / n, hits / n,
+        (double)report.events / n, (all - hits) / all,
         (double)report.tests.pieces / n);
     simulation_free(&s);
 }

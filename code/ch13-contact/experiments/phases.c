@@ -34,7 +34,7 @@ static void print_phases(const char *name, uint32_t n, int trials)
     const double triangles = s.scene.mesh.triangles;
     row_begin("%s_%u\t%s\t%u\t%.0f\t%.4g\t%.4g\t%.4g\t%.4g", name, n,
               name, n, triangles, (double)report.candidates / triangles,
-              (double)(report.candidates - report.apart) / triangles,
+              (double)(report.paired - report.apart) / triangles,
               (double)report.events / triangles, broad / sum);
     for (int phase = 0; phase <= PHASES; phase++) {
         const struct summary summary = summarize(ns[phase], trials);
