@@ -296,7 +296,8 @@ function values.provenance(name)
     compiler = head.compiler:gsub("^(%a+ %d+%.%d+)%S*.*$", "%1"),
     flags = table.concat(flags, " "),
     date = long_date(head.date),
-    caches = head.caches, memory = head.memory,
+    caches = head.caches ~= "unknown" and head.caches or nil,
+    memory = head.memory,
     setup = table.concat({ head.machine, head.compiler, head.flags }, "\n"),
   }
 end
