@@ -14,7 +14,7 @@ set format x powers
 set format y powers
 set xlabel "points in the box"
 set ylabel "nanoseconds a query"
-set key bottom right
+set key outside right top Left reverse
 set datafile missing NaN
 plot for [name in "scan scan-lanes projection kd-tree orthotree-compressed cells-halves"] \
   table using (held(name)):(of(name, column("ns"))) title name

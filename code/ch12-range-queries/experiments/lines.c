@@ -1,11 +1,14 @@
 // The worst of boxes: as wide as the range along all coordinates but
 // one, and without any width there; it holds no point. What a query
 // looks at in the plane and in space, over the number of points, beside
-// what is predicted for leaves that are cubes.
+// what is predicted for leaves that are cubes. Last, cubes that hold a
+// hundred points in eight dimensions: a thousand, where the program
+// dimensions has time for a dozen.
 //
 //     lines [LARGEST]
 #include "ch12-range-queries/experiments/probe.h"
 #include "ch12-range-queries/kd_tree.h"
+#include "common/min_max.h"
 #include <math.h>
 
 static double leaves_of(uint32_t n)
@@ -31,6 +34,36 @@ static void flat_boxes(struct probe *probe)
     }
 }
 
+// How many of the equal parts of the range a box meets on average,
+// along one coordinate, if it lies in the range as a whole: one, and
+// one more for each border that is in the box.
+static double parts_met(int parts, double share)
+{
+    const double room = 1 - share;
+    double met = 1;
+    for (int k = 1; k < parts; k++) {
+        const double border = (double)k / parts;
+        met += (MIN(border, room) - MAX(border - share, 0)) / room;
+    }
+    return met;
+}
+
+// With 2^15 leaves seven coordinates are cut twice, and one once.
+static void print_eight(const struct structure *s)
+{
+    enum { N = 300000, HELD = 100 };
+    const double share = pow((double)HELD / N, 1.0 / 8);
+    struct probe *probe = probe_of("uniform", N, 8);
+    boxes_anywhere(probe, share);
+    const struct report sum = ask_all(probe, s);
+    const double met =
+        pow(parts_met(4, share), 7) * parts_met(2, share);
+    row("cube_8d\t8\t%u\t%.0f\t%.5g\t%.5g\t%.5g\t%u", N, leaves_of(N),
+        N / leaves_of(N) * met, sum.tested / (double)MOST_BOXES,
+        sum.steps / (double)MOST_BOXES, sum.count);
+    probe_free(probe);
+}
+
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
@@ -50,4 +83,5 @@ int main(int argc, char **argv)
                 sum.steps / (double)MOST_BOXES, sum.count);
             probe_free(probe);
         }
+    print_eight(s);
 }
