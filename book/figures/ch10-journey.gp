@@ -24,7 +24,7 @@ set print $reported
 print "ns\trow"
 print sprintf("1.038e6\t%d", row("first"))
 print sprintf("7.67e5\t%d", row("triangle"))
-print sprintf("1.51e4\t%d", row("cells_indices"))
+print sprintf("1.51e4\t%d", row("cells_lists"))
 set print $wrapped
 print "ns\trow"
 print sprintf("3.15e6\t%d", row("first"))
@@ -35,4 +35,5 @@ plot table using "standard":0:ytic(name(1)) with linespoints lt 1 title "standar
      $reported using 1:2 with points pt 2 ps 0.9 lc rgb "#14447c" title "standard, coursework", \
      table using "wraparound":0 with linespoints lt 2 title "wraparound, one thread", \
      "" using "wraparound_all":0 with points lt 2 pt 4 ps 0.75 title "wraparound, all threads", \
-     $wrapped using 1:2 with points pt 1 ps 1.1 lc rgb "#c4511a" title "wraparound, coursework"
+     $wrapped using 1:2 with points pt 1 ps 1.1 lc rgb "#c4511a" title "wraparound, coursework", \
+     $reported using 1:2 with points pt 2 ps 0.9 lc rgb "#14447c" notitle

@@ -126,8 +126,9 @@ static void divide(const struct builder *builder, struct square square,
 //<
 
 //> Choose how many cells of candidates
-// Eight to thirty-two points to a cell. But if every cell of one row
-// listed all corners, that must not be more entries than MAX_LISTED.
+// Eight to thirty-two points to a cell. But on a circle, the worst
+// case, each of side^2 cells lists some corners / side. Together these
+// are side * corners entries; more than MAX_LISTED they must not be.
 enum { POINTS_PER_CANDIDATE_CELL = 8, MAX_LISTED = 1 << 24 };
 
 static uint32_t side_for(uint32_t n, uint32_t corners)
@@ -162,6 +163,8 @@ static void make_lists(struct builder *builder, uint32_t side,
                                     (size_t)levels * h, sizeof *room);
     for (uint32_t k = 0; k < h; k++)
         from[k] = k;
+    // Some side * h corners on a circle, and a count in every cell:
+    // four times as much.
     builder->enough = (size_t)4 * side * (h + side);
     divide(builder, (struct square){0, 0, side}, from, h, room);
 }
