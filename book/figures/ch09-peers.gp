@@ -1,5 +1,5 @@
 # Time a point over the number of points, building included, one thread;
-# left with the points as they come, right in strips. Crosses: not run,
+# left with the points as they come, right in strips. Open: not run,
 # expected.
 # alt: Nanoseconds a point over the number of points, both axes
 # logarithmic, for six programs, with uniform, clustered and Kuzmin
@@ -42,7 +42,7 @@ do for [kind in "uniform clustered kuzmin"] {
     plot for [k=1:6] table using "n":(cell(word(programs, k), kind, order, "total")) \
            with linespoints lt k, \
          for [k=1:2] "" using "n":(kind eq "kuzmin" ? cell(word(programs, k), kind, order, "expected") : 0) \
-           with points pt (k == 1 ? 2 : 1) ps 1 lc rgb "#222222"
+           with points pt (k == 1 ? 4 : 12) ps 1.1 lw 2 lc rgb (k == 1 ? "#14447c" : "#8a2a6a")
   }
 }
 # One key for all six, under them.
