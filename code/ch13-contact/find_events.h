@@ -27,8 +27,8 @@ struct events {
 //> Hold a search for events
 // With still[], only pairs are tested in which a node came to rest in
 // this round and another one moves: still[i] is the round in which node
-// i came to rest, 0 if it moves. In round 1 the one that moves is
-// enough. With still NULL, all pairs.
+// i came to rest, 0 if it moves. In round 1, the first search, it is
+// enough that one moves. With still NULL, all pairs.
 struct event_search {
     const struct scene *scene;
     const struct pairs *pairs;

@@ -41,9 +41,8 @@ void sleepers_free(struct sleepers *sleepers)
 //<
 
 //> See whether a body has left its place
-// By more than a hundredth of its reach. Where a quaternion is changed
-// by so much, no node turns further than by twice that and its reach,
-// all but.
+// By more than a hundredth of its reach. Two quaternions that differ by
+// d turn a node to places that are at most 2 d times the reach apart.
 static bool has_left(const struct body *body, const struct rest *rest)
 {
     double way2 = 0, turn2 = 0;
