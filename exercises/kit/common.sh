@@ -70,8 +70,8 @@ quiet_make() {
     LC_ALL=C MAKEFLAGS= MFLAGS= make -s -f $kit/kit.mk "$@"
 }
 
-# The text without the press's markup and the press's spaces.
+# The text without the press's markup, references and spaces.
 plain() {
-    sed -e 's/\[\([^]]*\)\]{\.[^}]*}/\1/g' -e 's/@fig:/the figure /g' |
+    awk -f $kit/references.awk | sed 's/\[\([^]]*\)\]{\.[^}]*}/\1/g' |
         cat -s | fold -s -w 72 | sed 's/ *$//'
 }

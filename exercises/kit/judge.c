@@ -168,6 +168,9 @@ static const char *const sanitizer_words[][2] = {
     {"outside the range of representable values",
      "A double too large, negative or NaN was converted to an integer: "
      "test it first."},
+    {"misaligned address",
+     "An aligned load or store needs an address that is a multiple of "
+     "its size; loadu and storeu do not."},
     {"null pointer", "A pointer that was never set, or a failed "
                      "allocation."},
     {"SEGV", "An index out of range, a pointer that was never set, or "
@@ -205,6 +208,11 @@ static void judge_signal(int signal)
     case SIGFPE:
         broken("crashed", "it divides an integer by zero",
                "What if there is nothing to divide by?");
+    case SIGSEGV: // at an address that the system does not tell
+        broken("crashed", "it uses an address that is none",
+               "A pointer that was never set; or an aligned load or "
+               "store where the address is no multiple of its size: "
+               "loadu and storeu do not mind.");
     case SIGABRT:
         broken(
             "crashed", "it ended itself with abort() or assert()",

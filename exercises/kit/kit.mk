@@ -23,6 +23,9 @@ rival      = $(eval RIVAL := $(or $(RIVAL),$(if $(shell echo 'int main(void) { r
 	$(other) -fopenmp -x c - -o /dev/null 2>&1),$(CC),$(other))))$(RIVAL)
 compiler   = $(if $(filter plain,$(1)),$(rival),$(CC))
 # With hooks for slow_motion.h, if the tests want them.
+# With the machine's lanes, if the tests ask for them: the sanitizers
+# shall see them, too.
+lanes = $(if $(shell grep -l __AVX2__ exercises/$(1)/tests.c),-march=$(MARCH))
 slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thread)
 
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
@@ -60,6 +63,7 @@ export SOURCE TO
 library:
 	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
 		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
+		$(if $(filter sanitized,$(VARIANT)),$(call lanes,$(EXERCISE))) \
 		-MD -MF "$$TO.d" -c "$$SOURCE" -o "$$TO.o"
 	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
 

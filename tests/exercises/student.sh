@@ -59,7 +59,10 @@ check "not the hints" lacks_in "$WORK/2.1/task.md" 'large number may not'
 check "not the answer" lacks_in "$WORK/2.1/task.md" ':::\|Two loops'
 check "but the task" grep -q 'Look at every pair once' "$WORK/2.1/task.md"
 echo '// mine' >>"$file"
+echo '// too' >"$WORK/2.1/mine.c"
 TEST=many exercises/kit/exercise 2.1 >"$said" 2>&1
+rm "$WORK/2.1/mine.c"
+check "another file is told to be none" says 'mine.c is not tested'
 check "work is kept" grep -q '^// mine' "$file"
 check "and its failures have causes" grep -q '^    why  ' "$said"
 WHY=no TEST=many exercises/kit/exercise 2.1 >"$said" 2>&1

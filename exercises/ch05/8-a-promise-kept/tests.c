@@ -243,8 +243,9 @@ static void tell(void)
     case SPENT:
         WRONG(.expected =
                   kit_text("at most %d MB of fresh in all", MOST / MB),
-              .found = kit_text("%zu bytes more, after %zu MB",
-                                notes->bytes, notes->promised / MB),
+              .found = kit_text("%.2f MB more, after %.2f MB",
+                                (double)notes->bytes / MB,
+                                (double)notes->promised / MB),
               .cause = "So much is never needed at a time. Is memory "
                        "used again that was given up, and do small "
                        "arrays lie side by side?");
@@ -285,6 +286,15 @@ static void tell(void)
     }
 }
 
+static const char *cause_of(long first)
+{
+    if (first >= MANY && first < MANY + MANY / 10)
+        return "Does every small array begin a page of its own? Many "
+               "of them can lie side by side in one.";
+    return "Pages are touched that nobody needed yet. Fresh memory is "
+           "0 already; and to look at a page is to touch it, too.";
+}
+
 // All must be as it was filled, and the first step may touch so many
 // pages, the others none.
 static void check_faults(size_t pages)
@@ -300,10 +310,7 @@ static void check_faults(size_t pages)
         WRONG(.expected = kit_text("at most %zu page faults at first",
                                    pages + STRAY),
               .found = kit_text("%ld", first),
-              .cause =
-                  "Pages are touched that nobody needed yet. Fresh "
-                  "memory is 0 already; and to look at a page "
-                  "is to touch it, too.");
+              .cause = cause_of(first));
     if (later > STRAY)
         WRONG(.expected = "no page fault after the first step",
               .found = kit_text("%ld", later),

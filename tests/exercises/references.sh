@@ -1,0 +1,39 @@
+#!/bin/sh
+# What a student reads of an exercise, its task and all its hints, names
+# other exercises, figures and sections as the book does: no label of
+# the sources is left.
+
+place=$(mktemp -d) || exit 1
+trap 'rm -rf "$place"' EXIT
+BUILD=$place # where the number of hints that were shown is kept
+said=$place/said
+. tests/checks
+. exercises/kit/common.sh
+
+resolve() {
+    echo "$1" | awk -f exercises/kit/references.awk >"$said"
+}
+
+resolve 'Zagha [-@zagha1991], @ex:ch06-unpack; @ch:ch06. In @sec:triangle:'
+check "an exercise, a chapter, a section and a citation" \
+    says 'Zagha, Exercise 6.2; Chapter 6. In Section 3.2:'
+resolve '@fig:ch03-turn (@tab:ch03-turns), @ch:appendix-intrinsics'
+check "a figure, a table and an appendix" \
+    says 'Figure 3.2 (Table 3.1), Appendix A'
+resolve 'as @ex:ch06-no-such'
+check "what there is not stays as it is" says 'as @ex:ch06-no-such'
+
+for text in exercises/ch*/*/exercise.md; do
+    {
+        awk -f $kit/task.awk "$text"
+        sed -n '/^::: *hint/,/^::: *$/p' "$text"
+    } | plain >"$said"
+    check "$text names what it refers to" lacks '@[a-z]'
+done
+
+find_exercise 5.6
+put_task >"$said"
+check "so does task.md" says 'Exercise 5.5'
+exercises/kit/hint 5.7 >"$said"
+exercises/kit/hint 5.7 >>"$said"
+check "and make hint5.7" says 'Exercise 5.5'
