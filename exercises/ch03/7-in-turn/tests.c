@@ -350,6 +350,8 @@ static void in_turn(uint64_t seed)
 static void around(uint64_t seed)
 {
     in_turn(seed); // or else the largest number is not the cause
+    first_number = UINT32_MAX;
+    kit_if_endless(cause(""));
     check_alone(UINT32_MAX - 2, 6);
     keep_apart(UINT32_MAX - 20, TAKE, true);
     keep_apart(UINT32_MAX - 20, TAKE | TRY, true);
