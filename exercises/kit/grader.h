@@ -61,6 +61,7 @@ struct grader {
     char given[256], text[4096];
     size_t text_length;
     const char *status;
+    const char *endless; // why a call of the test may be; or NULL
     struct kit_fault fault;
     double ratio; // to the reference's time; 0 if that was not taken
     jmp_buf end;

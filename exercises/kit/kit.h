@@ -81,6 +81,10 @@ struct kit_fault {
 #define WRONG(...) kit_wrong((struct kit_fault){__VA_ARGS__})
 _Noreturn void kit_wrong(struct kit_fault fault);
 
+// The likely cause if a CALL takes too long, from here to the end of
+// the test.
+void kit_if_endless(const char *cause);
+
 // The test cannot be graded here and now, and says why. Its points are
 // neither earned nor lost.
 _Noreturn void kit_not_graded(const char *why);

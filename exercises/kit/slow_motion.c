@@ -1,6 +1,7 @@
 // The hooks that the compiler calls, and what it calls them: see
 // slow_motion.h. Locks and barriers are the OpenMP library's and stay
-// as they are; atomic operations are done atomically.
+// as they are; atomic operations are done atomically, after a nap if
+// they write.
 #include "slow_motion.h"
 #include "common/random.h"
 #include <omp.h>
@@ -54,12 +55,16 @@ HOOKS_OF_SIZE(4)
 HOOKS_OF_SIZE(8)
 HOOKS_OF_SIZE(16)
 
-// Whatever order was asked for, the strictest will do. Memory orders
-// come last and are left where they are.
+// Between a look and a store, each of them atomic, another thread may
+// come. compare_exchange_val does not nap: clang makes loops with it
+// that the program does not have, and they lose nothing. Whatever order
+// was asked for, the strictest will do. Memory orders come last and are
+// left where they are.
 #define FETCH(bits, T, name)                                      \
     T __tsan_atomic##bits##_fetch_##name(T *, T);                 \
     T __tsan_atomic##bits##_fetch_##name(T *at, T with)           \
     {                                                             \
+        nap();                                                    \
         return __atomic_fetch_##name(at, with, __ATOMIC_SEQ_CST); \
     }
 #define COMPARE(bits, T, strength)                                    \
@@ -68,6 +73,7 @@ HOOKS_OF_SIZE(16)
     bool __tsan_atomic##bits##_compare_exchange_##strength(           \
         T *at, T *expected, T with)                                   \
     {                                                                 \
+        nap();                                                        \
         return __atomic_compare_exchange_n(at, expected, with, false, \
                                            __ATOMIC_SEQ_CST,          \
                                            __ATOMIC_SEQ_CST);         \
@@ -81,11 +87,13 @@ HOOKS_OF_SIZE(16)
     void __tsan_atomic##bits##_store(T *, T);                       \
     void __tsan_atomic##bits##_store(T *at, T value)                \
     {                                                               \
+        nap();                                                      \
         __atomic_store_n(at, value, __ATOMIC_SEQ_CST);              \
     }                                                               \
     T __tsan_atomic##bits##_exchange(T *, T);                       \
     T __tsan_atomic##bits##_exchange(T *at, T value)                \
     {                                                               \
+        nap();                                                      \
         return __atomic_exchange_n(at, value, __ATOMIC_SEQ_CST);    \
     }                                                               \
     T __tsan_atomic##bits##_compare_exchange_val(T *, T, T);        \
@@ -99,9 +107,13 @@ HOOKS_OF_SIZE(16)
     }                                                               \
     FETCH(bits, T, add)                                             \
     FETCH(bits, T, sub)                                             \
+    FETCH(bits, T, and)                                             \
+    FETCH(bits, T, or)                                              \
+    FETCH(bits, T, xor)                                             \
     COMPARE(bits, T, strong)                                        \
     COMPARE(bits, T, weak)
 
 ATOMICS(8, uint8_t)
+ATOMICS(16, uint16_t)
 ATOMICS(32, uint32_t)
 ATOMICS(64, uint64_t)

@@ -10,7 +10,7 @@ static inline double edge(double low, double high, int bins, int b)
 }
 
 // Sets counts[b], for every b below bins, to the number of values with
-// edge(b) <= value < edge(b + 1); high itself goes to the last bin.
+// edge(b) <= value < edge(b + 1), for the last bin to value <= high.
 // Returns how many values are in no bin: below low, above high, or no
 // number at all. low < high, bins >= 1.
 size_t histogram(const double *values, size_t n, double low,

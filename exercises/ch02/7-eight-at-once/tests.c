@@ -152,7 +152,11 @@ static void in_time(uint64_t seed)
                   .cause = "A single best is a chain: each comparison "
                            "waits for the one before, and there is one "
                            "lane at work. Which bests have nothing to "
-                           "do with each other?"});
+                           "do with each other? If there are eight "
+                           "bests already: does #pragma omp simd "
+                           "stand before the loop over the lanes, "
+                           "and is the minimum written with ?: and "
+                           "without a function?"});
 }
 
 const struct kit_test kit_tests[] = {

@@ -188,6 +188,10 @@ static void billions_of_points(uint64_t seed)
 {
     check_walk(seed);
     check_numbers(ends_of(billions, seed));
+    kit_if_endless("A walk from row to row, or a loop that corrects a "
+                   "guess far from the row: eight times the number of "
+                   "a pair does not fit into 64 bits. Multiply as "
+                   "double.");
     check_pairs(ends_of(billions, seed));
 }
 

@@ -1,6 +1,7 @@
 // Tests of the lock: one thread at a time, in slow motion, too; the
 // order of arrival; attempts that do not wait; and numbers that begin
-// near the end of their range.
+// near the end of their range. A lock that does not keep threads apart
+// has no points for their order.
 #include "exercise.h"
 #include "kit.h"
 #include "slow_motion.h"
@@ -13,7 +14,7 @@ enum { THREADS = 5, PAUSES = 5000 };
 static struct notes {
     _Atomic uint32_t inside, together; // threads; the most at a time
     _Atomic uint32_t pauses;
-    _Atomic bool endless;
+    _Atomic bool endless, waited; // waited: in an attempt
     _Atomic uint32_t arrived, entered;
     uint32_t arrival[THREADS];
     uint32_t entry[THREADS]; // which of the arrivals came in
@@ -21,6 +22,8 @@ static struct notes {
     uint32_t numbers[2]; // next and serving, at the end
 } * notes;
 static struct lock *lock; // and a second one behind it
+static _Thread_local bool trying;
+static uint32_t first_number; // of both
 
 static void sleep_us(long us)
 {
@@ -29,6 +32,8 @@ static void sleep_us(long us)
 
 void pause_before_next_look(void)
 {
+    if (trying)
+        notes->waited = true;
     if (notes->pauses++ >= PAUSES) {
         notes->endless = true;
         kit_leave();
@@ -38,6 +43,7 @@ void pause_before_next_look(void)
 
 static void prepare(uint32_t begin)
 {
+    first_number = begin;
     notes = kit_output("the notes", 1, sizeof *notes);
     *notes = (struct notes){.inside = 0};
     lock = kit_output("the locks", 2, sizeof *lock);
@@ -46,6 +52,14 @@ static void prepare(uint32_t begin)
         lock[k].serving = begin;
     }
     kit_given("a lock whose two numbers begin at %u", begin);
+}
+
+static bool attempt(__typeof__(&try_acquire) try, struct lock *which)
+{
+    trying = true;
+    bool taken = try(which);
+    trying = false;
+    return taken;
 }
 
 // What a thread does with the lock: it notes how many are there.
@@ -58,17 +72,28 @@ static void stay_inside(long us)
     notes->inside--;
 }
 
+// Faults that small numbers do not have are those of the largest.
+static const char *cause(const char *usual)
+{
+    return first_number < UINT32_MAX / 2
+               ? usual
+               : "With small numbers the same was right. After the "
+                 "largest number comes 0: compare whether numbers are "
+                 "equal, not which is smaller.";
+}
+
 static void refuse_endless(const char *where)
 {
     if (notes->endless)
         WRONG(.where = where, .expected = "an end of the waiting",
               .found = kit_text("%d pauses, and still waiting", PAUSES),
-              .cause = "The number that this thread waits for is never "
-                       "served. Does each release serve the next "
-                       "number, and no other? Has a thread drawn a "
-                       "number that it does not wait for, or two "
-                       "the same, because it is not read and moved on "
-                       "in a single atomic step?");
+              .cause = cause(
+                  "The number that this thread waits for is never "
+                  "served. Does each release serve the next "
+                  "number, and no other? Has a thread drawn a "
+                  "number that it does not wait for, or two "
+                  "the same, because it is not read and moved on "
+                  "in a single atomic step?"));
 }
 
 static void refuse_company(void)
@@ -77,10 +102,11 @@ static void refuse_company(void)
     if (notes->together > 1)
         WRONG(.expected = "one thread at a time",
               .found = kit_text("%u inside together", notes->together),
-              .cause = "Between a look and a store, another thread may "
-                       "look, too, and see the same. The number of a "
-                       "thread must be read and moved on in a single "
-                       "atomic step.");
+              .cause = cause(
+                  "Between a look and a store, another thread may "
+                  "look, too, and see the same. The number of a "
+                  "thread must be read and moved on in a single "
+                  "atomic step."));
 }
 
 // ---- one thread ----------------------------------------------------
@@ -107,8 +133,9 @@ static void check_alone(uint32_t begin, uint32_t turns)
               .expected = "two equal numbers: the lock is free",
               .found = kit_text("next %u, serving %u",
                                 notes->numbers[0], notes->numbers[1]),
-              .cause = "What release leaves behind must be a lock that "
-                       "is free.");
+              .cause = cause(
+                  "What release leaves behind must be a lock that "
+                  "is free."));
     kit_next_case();
 }
 
@@ -144,21 +171,20 @@ static void separate(uint64_t seed)
 static void use_tries(void)
 {
     __typeof__(&try_acquire) try = STUDENT(try_acquire);
-    notes->tried[0] = try(lock);
-    notes->tried[1] = try(lock);
-    notes->tried[2] = try(lock + 1);
+    notes->tried[0] = attempt(try, lock);
+    notes->tried[1] = attempt(try, lock);
+    notes->tried[2] = attempt(try, lock + 1);
     STUDENT(release)(lock);
-    notes->tried[3] = try(lock);
-    notes->tried[4] = try(lock);
+    notes->tried[3] = attempt(try, lock);
+    notes->tried[4] = attempt(try, lock);
     STUDENT(release)(lock);
     STUDENT(acquire)(lock);
-    notes->tried[5] = try(lock);
+    notes->tried[5] = attempt(try, lock);
     STUDENT(release)(lock);
 }
 
-static void tries(uint64_t seed)
+static void try_alone(void)
 {
-    (void)seed;
     static const bool right[] = {true, false, true, true, false, false};
     prepare(3);
     CALL(use_tries());
@@ -181,31 +207,63 @@ static void tries(uint64_t seed)
 
 // ---- several -------------------------------------------------------
 
-static void work(int turns, bool slow, bool with_tries)
+enum way { TAKE = 1, TRY = 2 }; // both: try, and take if it fails
+
+static void work(enum way way, bool slow)
 {
+    enum { TURNS = 20 };
     __typeof__(&acquire) take = STUDENT(acquire);
     __typeof__(&release) give = STUDENT(release);
     __typeof__(&try_acquire) try = STUDENT(try_acquire);
     slow_motion(slow);
 #pragma omp parallel num_threads(THREADS)
-    for (int k = 0; k < turns; k++) {
-        if (!with_tries || !try(lock))
+    for (int k = 0; k < TURNS; k++) {
+        bool inside = way & TRY && attempt(try, lock);
+        if (!inside && way & TAKE) {
             take(lock);
-        stay_inside(20);
-        give(lock);
+            inside = true;
+        }
+        if (inside) {
+            stay_inside(20);
+            give(lock);
+        }
     }
+}
+
+static void keep_apart(uint32_t begin, enum way way, bool slow)
+{
+    prepare(begin);
+    kit_given("%d threads, numbers from %u%s", THREADS, begin,
+              slow ? ", in slow motion" : "");
+    CALL(work(way, slow));
+    refuse_company();
+    kit_next_case();
+}
+
+static void tries(uint64_t seed)
+{
+    (void)seed;
+    try_alone();
+    kit_next_case();
+    prepare(0);
+    kit_given("attempts of %d threads, in slow motion", THREADS);
+    CALL(work(TRY, true));
+    if (notes->waited)
+        WRONG(.where = "try_acquire, several threads",
+              .expected = "an attempt that does not wait",
+              .found = "a pause in an attempt",
+              .cause = "Another thread came between the look and the "
+                       "lock. An attempt that waits then was no "
+                       "attempt: look and draw in one atomic step.");
+    refuse_company();
 }
 
 static void exclusive(uint64_t seed)
 {
     (void)seed;
-    for (int k = 0; k < 4; k++) {
-        prepare(0);
-        kit_given("%d threads%s", THREADS,
-                  k % 2 ? ", in slow motion" : "");
-        CALL(work(20, k % 2, k > 1));
-        refuse_company();
-        kit_next_case();
+    for (int slow = 0; slow < 2; slow++) {
+        keep_apart(0, TAKE, slow);
+        keep_apart(0, TAKE | TRY, slow);
     }
 }
 
@@ -245,15 +303,13 @@ static bool in_order(void)
     return true;
 }
 
-// A thread may lose the processor just before it comes: not every time.
-static void in_turn(uint64_t seed)
+// In how many of so many trials, one for each beginning, threads got in
+// as they had come. What one of the others found goes to *found.
+static int fair_trials(int trials, uint32_t begin, const char **found)
 {
-    (void)seed;
-    enum { TRIALS = 5, ENOUGH = 3 };
     int fair = 0;
-    const char *found = "";
-    for (int trial = 0; trial < TRIALS; trial++) {
-        prepare(0);
+    for (int trial = 0; trial < trials; trial++) {
+        prepare(begin - trial);
         kit_given("a lock that is taken, and %d threads that come one "
                   "after the other",
                   THREADS - 1);
@@ -261,40 +317,49 @@ static void in_turn(uint64_t seed)
         refuse_company();
         fair += in_order();
         if (!in_order())
-            found = kit_text("%u, %u, %u, %u", notes->entry[0],
-                             notes->entry[1], notes->entry[2],
-                             notes->entry[3]);
+            *found = kit_text("%u, %u, %u, %u", notes->entry[0],
+                              notes->entry[1], notes->entry[2],
+                              notes->entry[3]);
     }
-    if (fair < ENOUGH)
+    return fair;
+}
+
+// A thread may lose the processor just before it comes: not every time.
+static void refuse_unfair(void)
+{
+    enum { TRIALS = 5, ENOUGH = 3 };
+    const char *found = "";
+    if (fair_trials(TRIALS, TRIALS, &found) < ENOUGH)
         WRONG(.expected = "threads 0, 1, 2, 3, in the order of arrival",
               .found = found,
               .cause = "When the lock is given back, the thread that "
                        "looks first has it, however long the others "
                        "have waited. Each thread needs a number of its "
                        "own when it comes.");
+    kit_next_case();
+}
+
+static void in_turn(uint64_t seed)
+{
+    (void)seed;
+    keep_apart(0, TAKE, true);
+    keep_apart(0, TAKE | TRY, true);
+    refuse_unfair();
 }
 
 static void around(uint64_t seed)
 {
-    (void)seed;
+    in_turn(seed); // or else the largest number is not the cause
+    first_number = UINT32_MAX;
+    kit_if_endless(cause(""));
     check_alone(UINT32_MAX - 2, 6);
-    prepare(UINT32_MAX - 20);
-    CALL(work(12, false, false));
-    refuse_company();
-    int fair = 0;
-    for (int t = 0; t < 3; t++) {
-        prepare(UINT32_MAX - t);
-        CALL(queue_up());
-        refuse_company();
-        fair += in_order();
-    }
-    if (fair > 1)
-        return;
-    WRONG(.expected = "threads in the order of arrival, beyond the "
-                      "largest number, too",
-          .found = "another order",
-          .cause = "After the largest number comes 0. Compare whether "
-                   "numbers are equal, not which is smaller.");
+    keep_apart(UINT32_MAX - 20, TAKE, true);
+    keep_apart(UINT32_MAX - 20, TAKE | TRY, true);
+    const char *found = "";
+    if (fair_trials(3, UINT32_MAX, &found) < 2)
+        WRONG(.expected = "threads in the order of arrival, beyond the "
+                          "largest number, too",
+              .found = found, .cause = cause(""));
 }
 
 const struct kit_test kit_tests[] = {
