@@ -135,20 +135,18 @@ static const char *cause(struct census census)
     if (3 * census.along > census.corners &&
         census.along >= census.inside / 2)
         return "Points along a side are no corners: steps of the same "
-               "direction are one side. Are there steps with a common "
-               "divisor?";
+               "direction are one side.";
     if (2 * census.inside > census.corners &&
         2 * census.shallow > census.inside)
         return "Most others are inside of the hull, but only just: "
-               "rounding has moved them there. Choose the sides, in "
-               "whole numbers, and let the corners follow.";
+               "rounding has moved them there.";
     if (2 * census.inside > census.corners)
         return "Most others are well inside of the hull. Was nothing "
                "done to place them on it, or are the sides not in the "
                "order of their angles?";
     return "Nothing is wrong with these corners, but there is room "
-           "for more of them: sides in all four quarters, and the "
-           "shortest steps of all directions first.";
+           "for more of them. Is the box used up to all four sides, "
+           "and how long are the sides of the hull?";
 }
 
 static void check(uint32_t n, uint32_t side, uint32_t wanted)

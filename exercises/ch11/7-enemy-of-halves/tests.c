@@ -11,39 +11,88 @@ static int ascending(const void *one, const void *other)
     return (a > b) - (a < b);
 }
 
-// Of sorted numbers, begin .. end - 1.
-static uint32_t depth_of(const double *x, uint32_t begin, uint32_t end)
+static double middle_of(const double *x, uint32_t begin, uint32_t end)
 {
-    uint32_t depth = 0;
-    while (end - begin > 1) {
-        double middle = x[begin] + (x[end - 1] - x[begin]) / 2;
-        uint32_t at = begin;
-        while (at < end && x[at] < middle)
-            at++;
-        if (at == begin || at == end)
-            return depth + 1; // neighbors in double: no middle
-        uint32_t left = at - begin, right = end - at;
-        depth++;
-        if (left == 1)
-            begin = at;
-        else if (right == 1)
-            end = at;
-        else {
-            uint32_t a = depth_of(x, begin, at);
-            uint32_t b = depth_of(x, at, end);
-            return depth + (a > b ? a : b);
-        }
-    }
-    return depth;
+    return x[begin] + (x[end - 1] - x[begin]) / 2;
 }
 
-static uint32_t try_depth(uint32_t n)
+// Of sorted numbers, begin .. end - 1, how many go to the left.
+static uint32_t left_of(const double *x, uint32_t begin, uint32_t end)
+{
+    double middle = middle_of(x, begin, end);
+    uint32_t at = begin;
+    while (at < end && x[at] < middle)
+        at++;
+    return at - begin;
+}
+
+// Cuts as long as one side is a single number. Returns how many cuts
+// these were; what is left is begin .. end - 1.
+static uint32_t cut_singles(const double *x, uint32_t *begin,
+                            uint32_t *end)
+{
+    for (uint32_t cuts = 0;; cuts++) {
+        uint32_t left = left_of(x, *begin, *end);
+        uint32_t right = *end - *begin - left;
+        if (left == 1 && right > 0)
+            ++*begin;
+        else if (right == 1 && left > 0)
+            --*end;
+        else
+            return cuts;
+    }
+}
+
+static uint32_t depth_of(const double *x, uint32_t begin, uint32_t end)
+{
+    uint32_t depth = cut_singles(x, &begin, &end);
+    if (end - begin == 1)
+        return depth;
+    uint32_t left = left_of(x, begin, end);
+    if (left == 0 || left == end - begin)
+        return depth + 1; // neighbors in double: no middle
+    uint32_t a = depth_of(x, begin, begin + left);
+    uint32_t b = depth_of(x, begin + left, end);
+    return depth + 1 + (a > b ? a : b);
+}
+
+// Is the middle of two numbers from 0 to 1 rounded down? What their
+// sum has lost is exact.
+static bool is_rounded_down(double least, double greatest,
+                            double middle)
+{
+    double sum = least + greatest;
+    double lost = least - (sum - greatest);
+    return 2 * middle < sum || (2 * middle == sum && lost > 0);
+}
+
+// Where the first depth was lost, of n sorted numbers.
+struct loss {
+    uint32_t depth, off; // the cut's depth, how many it took off
+    double middle;
+    bool rounded; // to a number that would be less otherwise
+};
+
+static struct loss first_loss(const double *x, uint32_t n)
+{
+    uint32_t begin = 0, end = n;
+    uint32_t depth = cut_singles(x, &begin, &end) + 1;
+    uint32_t left = left_of(x, begin, end), right = end - begin - left;
+    double middle = middle_of(x, begin, end);
+    return (struct loss){
+        depth, left < right ? left : right, middle,
+        right > 0 && x[begin + left] == middle &&
+            is_rounded_down(x[begin], x[end - 1], middle)};
+}
+
+// Calls, and returns the numbers in ascending order.
+static double *numbers(uint32_t n)
 {
     kit_next_case();
     double *x = kit_output("x", n, sizeof *x);
     kit_given("%u numbers", n);
     CALL(STUDENT(go_deep)(x, n));
-    double *sorted = malloc(n * sizeof *sorted);
+    double *sorted = kit_input("sorted", n, sizeof *sorted);
     for (uint32_t k = 0; k < n; k++)
         sorted[k] = x[k];
     qsort(sorted, n, sizeof *sorted, ascending);
@@ -59,19 +108,25 @@ static uint32_t try_depth(uint32_t n)
                   .cause = "Two are the same: do the powers vanish, "
                            "or is one of them 0 twice?");
     }
-    uint32_t depth = depth_of(sorted, 0, n);
-    free(sorted);
-    return depth;
+    return sorted;
 }
 
 static void reach(uint32_t n, uint32_t least)
 {
-    uint32_t depth = try_depth(n);
-    if (depth < least)
-        WRONG(.expected = kit_text("a depth of at least %u", least),
-              .found = kit_text("%u", depth),
-              .cause = "Of what should a cut take off as little as "
-                       "possible? Let each leave all but one.");
+    double *x = numbers(n);
+    uint32_t depth = depth_of(x, 0, n);
+    if (depth >= least)
+        return;
+    struct loss loss = first_loss(x, n);
+    WRONG(.expected = kit_text("a depth of at least %u", least),
+          .found = kit_text("%u: at depth %u the cut at %.3g took off "
+                            "%u",
+                            depth, loss.depth, loss.middle, loss.off),
+          .cause = loss.rounded
+                       ? "This middle was rounded, down to one of your "
+                         "numbers, which is not less than itself."
+                       : "Of what should a cut take off as little as "
+                         "possible? Let each leave all but one.");
 }
 
 static void few(uint64_t seed)

@@ -11,9 +11,9 @@ static float below(double x, double reach)
     const float nearest = (float)safe;
     return nearest <= safe ? nearest : nextafterf(nearest, -INFINITY);
 }
+
 //- starter
 //- end
-
 struct float_box capture(const struct moving corner[3], double reach)
 {
     struct float_box box;
@@ -29,9 +29,9 @@ struct float_box capture(const struct moving corner[3], double reach)
         box.high[k] = -below(-most, reach);
         //- starter
         // // Your turn: so far it holds one corner.
-        // box.low[k] = (float)fmin(corner[0].begin[k],
-        // corner[0].end[k]); box.high[k] =
-        // (float)fmax(corner[0].begin[k], corner[0].end[k]);
+        // const struct moving *c = &corner[0];
+        // box.low[k] = (float)fmin(c->begin[k], c->end[k]);
+        // box.high[k] = (float)fmax(c->begin[k], c->end[k]);
         // (void)reach;
         //- end
     }

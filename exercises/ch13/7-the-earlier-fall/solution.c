@@ -13,9 +13,9 @@ static bool are_small_integers(const struct fall *f)
 {
     return is_small_integer(f->begin) && is_small_integer(f->end);
 }
+
 //- starter
 //- end
-
 enum first earlier(double floor, const struct fall *p,
                    const struct fall *q)
 {

@@ -9,9 +9,9 @@ static int compare(const void *one, const void *other)
     const uint32_t b = *(const uint32_t *)other;
     return a == b ? 0 : begins_before(a, b) ? -1 : 1;
 }
+
 //- starter
 //- end
-
 void repair(uint32_t n, uint32_t *order, uint32_t *room)
 {
     //- solution

@@ -1,4 +1,4 @@
 # Makes the lower right half only.
-# expect: in all four quarters
+# expect: up to all four sides
 # why: One quarter is drawn, and how it closes is forgotten.
 s/quarter < 4/quarter < 2/
