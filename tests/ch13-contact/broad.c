@@ -275,7 +275,7 @@ void a_step_grows_linearly(void)
     CHECK(large[2] < 0.2 * large[1], "%g of %g are searched", large[2],
           large[1]);
     CHECK(small[0] < 0.25 * cells[0],
-          "clusters look at %g, cells at %g", large[0], cells[0]);
+          "clusters look at %g, cells at %g", small[0], cells[0]);
 }
 
 void nothing_is_allocated(void)
