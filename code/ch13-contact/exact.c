@@ -42,7 +42,7 @@ static struct exact_pair exact_product(double a, double b)
 }
 //<
 
-//> Hold a sum without rounding
+//> Keep a sum in parts
 // Parts do not overlap: each is a multiple of a power of two that is
 // larger than what all parts before it sum to. None is 0.
 enum { MAX_PARTS = 6 * 8 * 4 }; // products, of two parts each, fourfold
@@ -50,7 +50,9 @@ struct expansion {
     int n;
     double part[MAX_PARTS];
 };
+//<
 
+//> Hold a sum without rounding
 // Adds x: what it loses on its way through the parts takes their place.
 static void expansion_add(struct expansion *e, double x)
 {

@@ -2,7 +2,8 @@
 # comment, which says how it is done, is replaced by what the exercise
 # is called and where its task is. What stands between the comments
 # "//- solution" and "//- starter" is left out, and the comments between
-# "//- starter" and "//- end" become code.
+# "//- starter" and "//- end" become code. Of empty lines that meet where
+# a part was left out, one stays.
 BEGIN {
     text = ARGV[1]
     sub(/solution\.c$/, "exercise.md", text)
@@ -20,4 +21,5 @@ BEGIN {
 /^ *\/\/- end$/ { part = ""; next }
 part == "solution" { next }
 part == "starter" { sub(/\/\/ ?/, "") }
-{ print }
+!NF && empty { next }
+{ empty = !NF; print }
