@@ -457,7 +457,7 @@ check-mutations: | $(BUILD)/setup/test
 check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
 		TESTS="$(filter-out $(no_program),$(TESTS))" \
-		CFLAGS="-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \
+		CFLAGS="-O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
 		-fsanitize=address,undefined,float-cast-overflow --coverage"
 	tests/coverage $(BUILD)/memory 93
 
