@@ -158,9 +158,10 @@ static void look_ahead(const struct broad_search *search,
 void find_by_sweep(void *kept, const struct broad_search *search)
 {
     struct axis_sweep *sweep = kept;
+    const int threads = search->threads;
     order_boxes(sweep, search->boxes);
-#pragma omp parallel for num_threads( \
-    search->threads) if (search->threads > 1) schedule(dynamic, 256)
+#pragma omp parallel for num_threads(threads) if (threads > 1) \
+    schedule(dynamic, 256)
     for (uint32_t r = 0; r < sweep->n; r++)
         look_ahead(search, sweep, r,
                    &search->pairs->list[omp_get_thread_num()]);

@@ -20,8 +20,9 @@ static void find_all(void *kept, const struct broad_search *search)
 {
     (void)kept;
     const uint32_t n = search->boxes->n;
-#pragma omp parallel for num_threads( \
-    search->threads) if (search->threads > 1) schedule(dynamic, 64)
+    const int threads = search->threads;
+#pragma omp parallel for num_threads(threads) if (threads > 1) \
+    schedule(dynamic, 64)
     for (uint32_t i = 0; i < n; i++) {
         struct pair_list *list =
             &search->pairs->list[omp_get_thread_num()];

@@ -121,6 +121,11 @@ static int list_reaching(const struct broad_search *search,
 //<
 
 //> Compare two clusters
+static uint32_t size_of(const struct clusters *clusters, uint32_t c)
+{
+    return clusters->begin[c + 1] - clusters->begin[c];
+}
+
 static void compare_clusters(const struct broad_search *search,
                              const struct clusters *clusters,
                              struct pair pair, struct pair_list *list)
@@ -132,7 +137,9 @@ static void compare_clusters(const struct broad_search *search,
     for (int i = 0; i < ones; i++)
         for (int j = 0; j < others; j++)
             consider(search, list, one[i], other[j]);
-    list->tested += 2 * CLUSTER + (uint64_t)ones * others;
+    list->tested += size_of(clusters, pair.one) +
+                    size_of(clusters, pair.other) +
+                    (uint64_t)ones * others;
 }
 
 // Each pair of a cluster with itself.

@@ -20,8 +20,7 @@ struct pair_list {
 struct pairs {
     struct pair *pair; // sorted by one, then by other
     uint64_t count, room;
-    uint64_t
-        *start; // pairs of triangle t: start[t] to start[t + 1] - 1
+    uint64_t *start;    // pairs of t: start[t] to start[t + 1] - 1
     uint32_t triangles; // that there is room for
     uint64_t tested;
     struct pair_list *list; // of each thread
