@@ -44,6 +44,7 @@ struct grader {
     const char *verdict; // on every test, if so
     const char *until;   // words of a failure that is the last, or NULL
     int file;            // the library, open
+    int fence;           // around it, built once; or -1
     double limit;        // seconds a call may take
     int stops;           // calls that took more
     double allowed;      // and might, before time was lost
