@@ -26,6 +26,7 @@ struct array {
 struct trace {
     bool loaded, finished;
     char problem[256];   // why its file cannot be used
+    char given[256];     // to which of several cases of one call
     char *address;       // of an access that the machine refused
     _Atomic int threads; // that came to kit_at_work
     bool alone;          // the first of them stayed

@@ -112,7 +112,8 @@ void kit_given(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(grader.given, sizeof grader.given, format, arguments);
+    char *given = student.library ? grader.trace->given : grader.given;
+    vsnprintf(given, sizeof grader.given, format, arguments);
     va_end(arguments);
 }
 
@@ -332,8 +333,8 @@ static size_t memory_limit(void)
     return fmin((double)MEMORY_MAX * (1 << 30), there / 2);
 }
 
-// Where sanitizers want to look at their own process, each needs a fence
-// of its own.
+// Where sanitizers want to look at their own process, each needs a
+// fence of its own.
 static int own_fence(void)
 {
     return has_rules() ? build_fence(grader.file, NULL, SANITIZED) : -1;
@@ -448,6 +449,8 @@ static void draw(const struct kit_picture *picture,
 
 _Noreturn void kit_wrong(struct kit_fault fault)
 {
+    if (student.library)
+        kit_leave();
     grader.fault = fault;
     draw(&fault.picture, &fault.cells);
     end_test("wrong");
@@ -473,6 +476,9 @@ _Noreturn void broken(const char *status, const char *found,
                       const char *cause)
 {
     grader.fault = (struct kit_fault){.found = found, .cause = cause};
+    if (grader.trace->given[0])
+        snprintf(grader.given, sizeof grader.given, "%.*s",
+                 (int)sizeof grader.given - 1, grader.trace->given);
     end_test(status);
 }
 
