@@ -6,17 +6,20 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <grp.h>
+#include <limits.h>
 #include <math.h>
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 
 #if defined __linux__ && (defined __x86_64__ || defined __aarch64__)
@@ -30,7 +33,6 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sched.h>
-#include <sys/syscall.h>
 #else
 #define RULES false
 #endif
@@ -39,7 +41,7 @@
 enum { NOBODY = 65534, THREADS_MAX = 200, DESCRIPTORS_MAX = 256 };
 
 // KIT_RULES=no is how a test tries what is left without them.
-bool has_rules(void)
+static bool look_for_rules(void)
 {
     const char *wanted = getenv("KIT_RULES");
     if (wanted && *wanted == 'n')
@@ -51,6 +53,14 @@ bool has_rules(void)
 #else
     return false;
 #endif
+}
+
+bool has_rules(void)
+{
+    static enum { UNKNOWN, NONE, SOME } rules = UNKNOWN;
+    if (rules == UNKNOWN)
+        rules = look_for_rules() ? SOME : NONE;
+    return rules == SOME;
 }
 
 // ---- rules ---------------------------------------------------------
@@ -163,12 +173,12 @@ static void must_equal(uint32_t value, int over)
     add(BPF_JMP | BPF_JEQ | BPF_K, over, value);
 }
 
+// The call's number is loaded, before and after.
 static void allow(struct rule rule)
 {
     size_t low = offsetof(struct seccomp_data, args) +
                  sizeof(uint64_t) * rule.argument;
-    load(offsetof(struct seccomp_data, nr));
-    must_equal(rule.call, rule.mask ? 6 : 1);
+    must_equal(rule.call, rule.mask ? 7 : 1);
     if (rule.mask) {
         load(low + sizeof(uint32_t));
         must_equal(0, 4);
@@ -177,6 +187,8 @@ static void allow(struct rule rule)
         must_equal(rule.value, 1);
     }
     add(BPF_RET | BPF_K, 0, SECCOMP_RET_ALLOW);
+    if (rule.mask)
+        load(offsetof(struct seccomp_data, nr));
 }
 
 // Rules only ever take away: the strictest filter of all wins.
@@ -189,6 +201,7 @@ static void install(bool may_read)
     add(BPF_JMP | BPF_JEQ | BPF_K, 0, MACHINE);
     filter[length - 1].jt = 1; // over the next one
     add(BPF_RET | BPF_K, 0, SECCOMP_RET_KILL_PROCESS);
+    load(offsetof(struct seccomp_data, nr));
     for (int r = 0; r < COMPUTING; r++)
         allow(computing[r]);
     for (int r = 0; may_read && r < READING; r++)
@@ -197,7 +210,6 @@ static void install(bool may_read)
     allow((struct rule){__NR_kill, 0, ~0u, self});
     allow((struct rule){__NR_tgkill, 0, ~0u, self});
     // The C library then starts a thread in the older way.
-    load(offsetof(struct seccomp_data, nr));
     must_equal(__NR_clone3, 1);
     add(BPF_RET | BPF_K, 0, SECCOMP_RET_ERRNO | ENOSYS);
     add(BPF_RET | BPF_K, 0, SECCOMP_RET_ERRNO | EPERM);
@@ -225,36 +237,52 @@ static void limit(int resource, rlim_t most)
     setrlimit(resource, &(struct rlimit){most, most});
 }
 
+// The first line of a file of the system's; a stream would cost more
+// than all the rest. Text that cannot be read is empty.
+static const char *line_of(const char *name)
+{
+    static char line[128];
+    int file = open(name, O_RDONLY | O_CLOEXEC);
+    ssize_t length = file < 0 ? 0 : read(file, line, sizeof line - 1);
+    line[length < 0 ? 0 : length] = '\0';
+    if (file >= 0)
+        close(file);
+    return line;
+}
+
 // What is mapped already counts too, and a sanitizer maps terabytes.
 static void limit_memory(size_t most)
 {
-    FILE *file = fopen("/proc/self/statm", "r");
-    size_t pages;
-    if (file && fscanf(file, "%zu", &pages) == 1)
+    size_t pages = strtoull(line_of("/proc/self/statm"), NULL, 10);
+    if (pages > 0)
         limit(RLIMIT_AS, pages * sysconf(_SC_PAGESIZE) + most);
-    if (file)
-        fclose(file);
 }
 
 // Threads count together with all else that runs for the same user.
 static void limit_threads(void)
 {
-    FILE *file = fopen("/proc/loadavg", "r");
-    unsigned running;
-    if (file && fscanf(file, "%*f %*f %*f %*u/%u", &running) == 1)
-        limit(RLIMIT_NPROC, running + THREADS_MAX);
-    if (file)
-        fclose(file);
+    const char *all = strchr(line_of("/proc/loadavg"), '/');
+    if (all)
+        limit(RLIMIT_NPROC, strtoull(all + 1, NULL, 10) + THREADS_MAX);
 }
 
 // If memory runs out, it is this process that the system should end.
 static void volunteer(void)
 {
-    FILE *file = fopen("/proc/self/oom_score_adj", "w");
-    if (file) {
-        fputs("1000", file);
-        fclose(file);
-    }
+    int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+    if (file < 0)
+        return;
+    ssize_t written = write(file, "1000", 4);
+    (void)written; // it is only a wish
+    close(file);
+}
+
+static int processors(void)
+{
+    static int count;
+    if (count == 0)
+        count = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    return count;
 }
 
 static void become_nobody(void)
@@ -270,17 +298,39 @@ void give_place(const char *place)
         _exit(1);
 }
 
+static void close_from(int first, int last)
+{
+#ifdef SYS_close_range
+    if (first > last || syscall(SYS_close_range, first, last, 0) == 0)
+        return;
+#endif
+    for (int k = first; k <= last && k < DESCRIPTORS_MAX; k++)
+        close(k);
+}
+
+static void close_all_but(const int *keep)
+{
+    int first = STDERR_FILENO + 1;
+    for (;;) {
+        int next = INT_MAX; // to be kept
+        for (int k = 0; k < KEEP_MAX; k++)
+            if (keep[k] >= first && keep[k] < next)
+                next = keep[k];
+        close_from(first, next - 1);
+        if (next == INT_MAX)
+            return;
+        first = next + 1;
+    }
+}
+
 static void put_limits(struct limits limits)
 {
     setsid();
-    for (int k = STDERR_FILENO + 1; k < DESCRIPTORS_MAX; k++)
-        if (k != limits.keep[0] && k != limits.keep[1])
-            close(k);
+    close_all_but(limits.keep);
     volunteer();
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, limits.printed);
-    limit(RLIMIT_CPU, (rlim_t)ceil(limits.seconds + 1) *
-                          sysconf(_SC_NPROCESSORS_ONLN));
+    limit(RLIMIT_CPU, (rlim_t)ceil(limits.seconds + 1) * processors());
     limit_memory(limits.memory);
     limit_threads();
     become_nobody();
@@ -288,20 +338,21 @@ static void put_limits(struct limits limits)
 
 void confine_tool(struct limits limits, int file, const char *place)
 {
+    int fence = build_fence(file, place, true);
+    limits.keep[KEEP_MAX - 1] = fence;
     put_limits(limits);
-    build_fence(file, place);
+    enter_fence(fence);
     alarm((unsigned)ceil(limits.seconds));
 }
 
-void confine(struct limits limits, int library)
+void confine(struct limits limits, int fence)
 {
     put_limits(limits);
 #ifdef __linux__
     prctl(PR_SET_DUMPABLE, 1); // or it could not open its own library
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    if (has_rules())
-        build_fence(library, NULL);
+    enter_fence(fence);
     install(true);
 }
 
@@ -309,6 +360,8 @@ void confine(struct limits limits, int library)
 
 void guard_judge(void)
 {
+    processors(); // which its children need not find out again
+    has_rules();
 #ifdef __linux__
     prctl(PR_SET_DUMPABLE, 0);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -337,6 +390,16 @@ static void remove_traces(pid_t child)
     snprintf(name, sizeof name, "/dev/shm/__KMP_REGISTERED_LIB_%d_%d",
              (int)child, (int)getuid());
     unlink(name);
+}
+
+int end_of(pid_t child)
+{
+#ifdef SYS_pidfd_open
+    return (int)syscall(SYS_pidfd_open, child, 0);
+#else
+    (void)child;
+    return -1;
+#endif
 }
 
 void end_children(pid_t child)

@@ -11,11 +11,12 @@
 #include <stddef.h>
 #include <sys/types.h>
 
+enum { KEEP_MAX = 3 };
 struct limits {
     double seconds;
     size_t printed, memory; // bytes
-    int keep[2];            // descriptors that stay open, besides the
-                            // standard ones
+    int keep[KEEP_MAX];     // descriptors that stay open, besides the
+                            // standard ones; or -1
 };
 
 // In the judge: nobody may look into its memory, and processes that
@@ -23,9 +24,9 @@ struct limits {
 void guard_judge(void);
 
 // In the student's process: everything but this, that it may still open
-// files to read, so that its library can be loaded; its own, and those
-// of fence.h.
-void confine(struct limits limits, int library);
+// files to read, so that its library can be loaded: those within this
+// fence of fence.h, which is among the descriptors to keep.
+void confine(struct limits limits, int fence);
 
 // In the process of a compiler or the like: the limits and the fence
 // around a folder, in which it may write, and no rules. The time is by
@@ -44,3 +45,7 @@ bool has_rules(void);
 // In the judge: ends this child and all that stems from it, and waits
 // until they are gone.
 void end_children(pid_t child);
+
+// In the judge: what can be read from when this child has ended; or -1,
+// where only asking again and again is left.
+int end_of(pid_t child);

@@ -2,6 +2,7 @@
 // cannot be opened. Its system calls have no names in older C
 // libraries.
 #include "fence.h"
+#include "common/fail.h"
 #include <fcntl.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -35,7 +36,6 @@ static const char *const needed[] = {
     "/etc/ld.so.cache",
     "/dev/null",
     "/proc/cpuinfo",
-    "/proc/self",
     "/sys/devices/system/cpu",
 };
 
@@ -81,28 +81,37 @@ static void open_gate_at(int rules, const char *path, uint64_t rights)
     close(file);
 }
 
-void build_fence(int own, const char *place)
+int build_fence(int own, const char *place, bool self)
 {
     if (!can_fence())
-        return;
+        return -1;
     uint64_t handled = ALL;
     struct landlock_ruleset_attr closed = {.handled_access_fs =
                                                handled};
     int rules = (int)syscall(SYS_landlock_create_ruleset, &closed,
                              sizeof closed, 0);
     if (rules < 0)
-        _exit(1);
+        fail("cannot build a fence");
     for (size_t k = 0; k < sizeof needed / sizeof *needed; k++)
         open_gate_at(rules, needed[k], LOOK);
     open_gate_at(rules, "/dev/null", LOOK | WRITE_FILE);
+    if (self)
+        open_gate_at(rules, "/proc/self", LOOK);
     if (own >= 0)
         open_gate(rules, own, LOOK_AT_FILE);
     if (place)
         open_gate_at(rules, place, ALL);
+    return rules;
+}
+
+void enter_fence(int fence)
+{
+    if (fence < 0)
+        return;
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
-        syscall(SYS_landlock_restrict_self, rules, 0) != 0)
+        syscall(SYS_landlock_restrict_self, fence, 0) != 0)
         _exit(1);
-    close(rules);
+    close(fence);
 }
 #else
 bool can_fence(void)
@@ -110,9 +119,16 @@ bool can_fence(void)
     return false;
 }
 
-void build_fence(int own, const char *place)
+int build_fence(int own, const char *place, bool self)
 {
     (void)own;
     (void)place;
+    (void)self;
+    return -1;
+}
+
+void enter_fence(int fence)
+{
+    (void)fence;
 }
 #endif

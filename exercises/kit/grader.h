@@ -26,6 +26,7 @@ struct array {
 struct trace {
     bool loaded, finished;
     char problem[256];   // why its file cannot be used
+    char given[256];     // to which of several cases of one call
     char *address;       // of an access that the machine refused
     _Atomic int threads; // that came to kit_at_work
     bool alone;          // the first of them stayed
@@ -44,6 +45,7 @@ struct grader {
     const char *verdict; // on every test, if so
     const char *until;   // words of a failure that is the last, or NULL
     int file;            // the library, open
+    int fence;           // around it, built once; or -1
     double limit;        // seconds a call may take
     int stops;           // calls that took more
     double allowed;      // and might, before time was lost

@@ -46,7 +46,7 @@ static int line_at(const char *place)
     const struct limits limits = {.seconds = 5,
                                   .printed = 1 << 20,
                                   .memory = 1 << 30,
-                                  .keep = {grader.file, -1}};
+                                  .keep = {grader.file, -1, -1}};
     int ends[2];
     pid_t process = pipe(ends) == 0 ? fork() : -1;
     if (process < 0)

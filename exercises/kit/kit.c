@@ -15,6 +15,7 @@
 #include "common/fail.h"
 #include "common/generate.h"
 #include "confine.h"
+#include "fence.h"
 #include "grader.h"
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -111,7 +112,8 @@ void kit_given(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(grader.given, sizeof grader.given, format, arguments);
+    char *given = student.library ? grader.trace->given : grader.given;
+    vsnprintf(given, sizeof grader.given, format, arguments);
     va_end(arguments);
 }
 
@@ -247,11 +249,17 @@ static void be_ready_to_tell(void)
 
 static void listen_for_questions(void)
 {
-    tell_place(0); // loads what it needs, while that may be done
     sigaction(SIGUSR1,
               &(struct sigaction){.sa_handler = tell_place,
                                   .sa_flags = SA_ONSTACK | SA_RESTART},
               NULL);
+}
+
+// In the judge, so that no process need load what it takes; nor could
+// it, later.
+static void learn_to_tell(void)
+{
+    tell_place(0);
 }
 #else
 static void be_ready_to_tell(void)
@@ -259,6 +267,10 @@ static void be_ready_to_tell(void)
 }
 
 static void listen_for_questions(void)
+{
+}
+
+static void learn_to_tell(void)
 {
 }
 #endif
@@ -321,8 +333,16 @@ static size_t memory_limit(void)
     return fmin((double)MEMORY_MAX * (1 << 30), there / 2);
 }
 
+// Where sanitizers want to look at their own process, each needs a
+// fence of its own.
+static int own_fence(void)
+{
+    return has_rules() ? build_fence(grader.file, NULL, SANITIZED) : -1;
+}
+
 static void become_student(int pipe)
 {
+    int fence = SANITIZED ? own_fence() : grader.fence;
     int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(grader.printed, STDOUT_FILENO);
@@ -335,8 +355,8 @@ static void become_student(int pipe)
     confine((struct limits){.seconds = grader.limit,
                             .printed = OUTPUT_MAX,
                             .memory = memory_limit(),
-                            .keep = {grader.file, pipe}},
-            grader.file);
+                            .keep = {grader.file, pipe, fence}},
+            fence);
     student.library = dlopen(loaded_name(), RTLD_NOW | RTLD_LOCAL);
     if (!student.library) {
         const char *why = dlerror(), *key = "undefined symbol: ";
@@ -429,6 +449,8 @@ static void draw(const struct kit_picture *picture,
 
 _Noreturn void kit_wrong(struct kit_fault fault)
 {
+    if (student.library)
+        kit_leave();
     grader.fault = fault;
     draw(&fault.picture, &fault.cells);
     end_test("wrong");
@@ -454,6 +476,9 @@ _Noreturn void broken(const char *status, const char *found,
                       const char *cause)
 {
     grader.fault = (struct kit_fault){.found = found, .cause = cause};
+    if (grader.trace->given[0])
+        snprintf(grader.given, sizeof grader.given, "%.*s",
+                 (int)sizeof grader.given - 1, grader.trace->given);
     end_test(status);
 }
 
@@ -509,21 +534,24 @@ static bool wait_for(pid_t process, int pipe, int *status)
     int64_t begin = clock_ns(), start = begin, now;
     double limit = time_left();
     struct rusage used = {0};
-    bool ended;
-    for (bool open = true;;) {
+    bool ended, open = true;
+    const int end = end_of(process);
+    do {
+        // A child of its own may hold the pipe, too: do not sleep long.
+        struct pollfd said[] = {{open ? pipe : -1, POLLIN, 0},
+                                {end, POLLIN, 0}};
+        poll(said, 2, open || end >= 0 ? NAP : 1);
         ended = wait4(process, status, WNOHANG, &used) == process;
         now = clock_ns();
-        if (ended || (now - begin) * 1e-9 > limit)
-            break;
-        // A child of its own may hold the pipe, too: do not sleep long.
-        struct pollfd said = {open ? pipe : -1, POLLIN, 0};
-        if (poll(&said, 1, open ? NAP : 1) == 1) {
+        if (said[0].revents) {
             char byte;
             open = read(pipe, &byte, 1) == 1;
             if (open && start == begin)
-                start = clock_ns();
+                start = now;
         }
-    }
+    } while (!ended && (now - begin) * 1e-9 <= limit);
+    if (end >= 0)
+        close(end);
     grader.seconds = (now - start) * 1e-9;
     grader.processor_seconds =
         in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
@@ -669,6 +697,7 @@ static void prepare(const char *scores)
         grader.lost ? -1 : open(grader.library, O_RDONLY | O_CLOEXEC);
     if (!grader.lost && grader.file < 0)
         fail("cannot open %s", grader.library);
+    grader.fence = SANITIZED || grader.lost ? -1 : own_fence();
     fprintf(grader.scores, "test\tpoints\tof\tstatus\tabout\tseed\t"
                            "given\twhere\texpected\tfound\tcause\t"
                            "ratio\n");
@@ -711,8 +740,9 @@ int main(int argc, char **argv)
         fail("say LIBRARY SOURCE SCORES");
     grader.library = argv[0];
     grader.source = argv[1];
-    prepare(argv[2]);
     guard_judge();
+    prepare(argv[2]);
+    learn_to_tell();
     if (SANITIZED && !has_rules())
         puts("This system has limits to hold a program back, but no "
              "rules.");

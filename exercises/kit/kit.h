@@ -43,6 +43,11 @@ void kit_given(const char *format, ...)
 // CALL(*found = STUDENT(nearest_pair)(points));
 #define STUDENT(function) \
     ((__typeof__(&function))kit_function(#function))
+//
+// A process costs far more than most answers, so a CALL may hold many
+// cases. Then each says there what it is given, and is checked there,
+// too: what is WRONG ends the call before a later case does harm. That
+// is no verdict. The judge checks all cases again, and comes to it.
 #define CALL(...)          \
     do {                   \
         if (kit_enter()) { \

@@ -15,7 +15,7 @@ optimized := $(flags) -O3 -march=$(MARCH)
 quick     := $(flags) -O1
 # As different as can be: the other compiler, if it has OpenMP, and the
 # plainest processor.
-plain     := $(flags) -O3 -march=$(if $(filter x86_64,$(shell uname -m)),x86-64,native)
+plain      = $(flags) -O3 -march=$(if $(filter x86_64,$(shell uname -m)),x86-64,native)
 other     := $(if $(findstring clang,$(CC)),gcc,clang)
 # Tried once, by the first make that wants to know.
 export RIVAL
@@ -64,8 +64,7 @@ library:
 	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
 		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
 		$(if $(filter sanitized,$(VARIANT)),$(call lanes,$(EXERCISE))) \
-		-MD -MF "$$TO.d" -c "$$SOURCE" -o "$$TO.o"
-	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
+		-MD -MF "$$TO.d" -shared -Wl,-Bsymbolic "$$SOURCE" -o "$$TO" -lm
 
 # What compiles behind a fence.
 $(K)/seal: $(addprefix exercises/kit/,seal.c confine.c fence.c) \

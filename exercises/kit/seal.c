@@ -43,7 +43,7 @@ static _Noreturn void run(double seconds, const char *place,
     confine_tool((struct limits){.seconds = seconds,
                                  .printed = output,
                                  .memory = memory,
-                                 .keep = {-1, -1}},
+                                 .keep = {-1, -1, -1}},
                  -1, ".");
     execvp(*command, command);
     fail("cannot run %s", *command);

@@ -6,7 +6,7 @@
 #include "kit.h"
 #include <stdio.h>
 
-enum { MOST = 200, SHOWN = 8, PROBES = 4 };
+enum { MOST = 200, SHOWN = 8, PROBES = 4, CASES_MOST = 40 };
 
 struct pair {
     uint32_t a, b; // begins and total, or factor and offset
@@ -255,47 +255,75 @@ static const char *cause(const struct kind *kind,
     return mistake->cause;
 }
 
-static void check(const struct kind *kind, const struct pair *elements,
-                  uint32_t n, enum brackets brackets,
-                  struct random random)
+// Several cases, which are put into one call.
+static struct one_case {
+    char given[40];
+    uint32_t n;
+    struct pair elements[MOST];
+    struct random random;
+} cases[CASES_MOST];
+
+static void check_case(const struct kind *kind,
+                       const struct one_case *one,
+                       enum brackets brackets, struct pair found,
+                       const struct pair *probes)
 {
-    struct pair *found = kit_output("the answer", 1, sizeof *found);
+    struct pair right = kind == &steps
+                            ? right_steps(one->elements, one->n)
+                            : right_stretch(one->elements, one->n);
+    // The plain loop does not ask for the flag.
+    if (kind == &stretches && brackets == FROM_THE_LEFT)
+        right.a = found.a;
+    if (!same(found, right))
+        WRONG(.where = tell_brackets(one->n, brackets, one->random),
+              .expected = tell(kind, right), .found = tell(kind, found),
+              .cause = cause(kind, probes));
+}
+
+static void check(const struct kind *kind, int count,
+                  enum brackets brackets)
+{
+    struct pair *found =
+        kit_output("the answer", CASES_MOST, sizeof *found);
     struct pair *probes = kit_output("probes", PROBES, sizeof *probes);
-    struct random again = random;
     CALL(their_stretches = STUDENT(join_stretches);
          their_steps = STUDENT(join_steps);
          probe(kind, kind->student, probes);
-         *found =
-             fold(elements, 0, n, brackets, &again, kind->student));
-    struct pair right = kind == &steps ? right_steps(elements, n)
-                                       : right_stretch(elements, n);
-    // The plain loop does not ask for the flag.
-    if (kind == &stretches && brackets == FROM_THE_LEFT)
-        right.a = found->a;
-    if (!same(*found, right))
-        WRONG(.where = tell_brackets(n, brackets, random),
-              .expected = tell(kind, right),
-              .found = tell(kind, *found),
-              .cause = cause(kind, probes));
+         for (int c = 0; c < count; c++) {
+             const struct one_case *one = &cases[c];
+             struct random again = one->random;
+             kit_given("%s", one->given);
+             found[c] = fold(one->elements, 0, one->n, brackets, &again,
+                             kind->student);
+             check_case(kind, one, brackets, found[c], probes);
+         });
+    for (int c = 0; c < count; c++) {
+        kit_given("%s", cases[c].given);
+        check_case(kind, &cases[c], brackets, found[c], probes);
+    }
+    kit_next_case();
 }
 
 static void check_many(const struct kind *kind, enum brackets brackets,
                        uint64_t seed)
 {
     struct random random = {seed};
-    static struct pair elements[MOST];
+    int count = 0;
     for (uint32_t n = 2; n <= MOST; n += 1 + n / 8) {
+        struct one_case *one = &cases[count++];
         int one_in = 1 + n / 4;
         for (uint32_t i = 0; i < n; i++) {
-            elements[i] = (struct pair){2 + random_bits(&random) % 8,
-                                        1 + random_bits(&random) % 99};
+            one->elements[i] =
+                (struct pair){2 + random_bits(&random) % 8,
+                              1 + random_bits(&random) % 99};
             if (kind == &stretches)
-                elements[i].a = random_bits(&random) % one_in == 0;
+                one->elements[i].a = random_bits(&random) % one_in == 0;
         }
-        kit_given("%u %s", n, kind->name);
-        check(kind, elements, n, brackets, random);
-        kit_next_case();
+        one->n = n;
+        one->random = random;
+        snprintf(one->given, sizeof one->given, "%u %s", n, kind->name);
     }
+    check(kind, count, brackets);
 }
 
 static void stretches_loop(uint64_t seed)
@@ -356,14 +384,15 @@ static void check_nothing(const struct kind *kind, struct pair right)
               .found = tell(kind, *found),
               .cause = nothing_cause(kind, *found));
     kit_next_case();
-    for (int side = 0; side < 2; side++)
-        for (uint32_t a = 0; a < 2; a++) {
-            struct pair elements[2] = {{a, 7}, {a, 7}};
-            elements[side] = right;
-            kit_given("some %s and none", kind->name);
-            check(kind, elements, 2, FROM_THE_LEFT, (struct random){0});
-            kit_next_case();
-        }
+    for (int c = 0; c < 4; c++) {
+        const uint32_t a = c % 2;
+        cases[c] =
+            (struct one_case){.n = 2, .elements = {{a, 7}, {a, 7}}};
+        cases[c].elements[c / 2] = right;
+        snprintf(cases[c].given, sizeof cases[c].given,
+                 "some %s and none", kind->name);
+    }
+    check(kind, 4, FROM_THE_LEFT);
 }
 
 static void no_stretches(uint64_t seed)

@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TASKS = 1000, TASKS_MOST = 1 << 16, LONGEST = 500 };
+enum { TASKS = 1000, TASKS_MOST = 1 << 16, LONGEST = 500, LIVES = 160 };
 
 // alive_after[t]: how many tasks have work left after t steps.
 static uint32_t alive_after[LONGEST + 1];
 static uint32_t longest, price;
 
 // What the student's process leaves behind.
-static struct {
+static struct record {
     uint64_t cost, packs;
     uint32_t time, lanes, alive;
     bool step_too_many, pack_too_many;
@@ -236,12 +236,13 @@ static const char *cost_cause(uint64_t cost)
 
 // ---- calling the student -------------------------------------------
 
-static void run(uint32_t tasks)
+static void begin(uint32_t tasks)
 {
-    record = kit_output("the record", 1, sizeof *record);
-    memset(record, 0, sizeof *record);
-    record->lanes = record->alive = tasks;
-    CALL(STUDENT(work_off)(tasks, price));
+    *record = (struct record){.lanes = tasks, .alive = tasks};
+}
+
+static void check_end(void)
+{
     if (record->step_too_many)
         WRONG(.where = kit_text("after %u steps", record->time),
               .expected = "no more steps", .found = "another step",
@@ -260,6 +261,14 @@ static void run(uint32_t tasks)
                        "work.");
 }
 
+static void run(uint32_t tasks)
+{
+    record = kit_output("the record", 1, sizeof *record);
+    begin(tasks);
+    CALL(STUDENT(work_off)(tasks, price));
+    check_end();
+}
+
 static void check_cost(uint64_t most, const char *means)
 {
     if (record->cost > most)
@@ -269,29 +278,41 @@ static void check_cost(uint64_t most, const char *means)
                                 (uintmax_t)record->cost,
                                 (uintmax_t)record->packs),
               .cause = cost_cause(record->cost));
-    kit_next_case();
 }
 
 static void check_twice(uint32_t tasks)
 {
     run(tasks);
     check_cost(2 * least_cost(), "twice the least possible");
+    kit_next_case();
+}
+
+// All families, each with so many tasks.
+static void check_families(uint32_t tasks, uint64_t seed)
+{
+    struct record *records =
+        kit_output("the records", FAMILIES, sizeof *records);
+    CALL(for (int f = 0; f < FAMILIES; f++) {
+        set_family(&families[f], tasks, seed);
+        record = &records[f];
+        begin(tasks);
+        STUDENT(work_off)(tasks, price);
+        check_end();
+    });
+    for (int f = 0; f < FAMILIES; f++) {
+        set_family(&families[f], tasks, seed);
+        record = &records[f];
+        check_end();
+    }
+    kit_next_case();
 }
 
 static void finished(uint64_t seed)
 {
     price = 4;
     for (uint32_t tasks = 0; tasks <= 3; tasks++)
-        for (int f = 0; f < FAMILIES; f++) {
-            set_family(&families[f], tasks, seed);
-            run(tasks);
-            kit_next_case();
-        }
-    for (int f = 0; f < FAMILIES; f++) {
-        set_family(&families[f], TASKS, seed);
-        run(TASKS);
-        kit_next_case();
-    }
+        check_families(tasks, seed);
+    check_families(TASKS, seed);
 }
 
 static void usual(uint64_t seed)
@@ -302,6 +323,7 @@ static void usual(uint64_t seed)
         run(TASKS);
         check_cost(1.25 * least_cost(), "a quarter more than the least "
                                         "possible");
+        kit_next_case();
     }
 }
 
@@ -317,6 +339,7 @@ static void interval(uint64_t seed)
         }
         run(TASKS);
         check_cost(best, "as with the best fixed interval");
+        kit_next_case();
     }
 }
 
@@ -336,18 +359,39 @@ static void any_lifetimes(uint64_t seed)
 
 // The one that hurts: all but one are finished after a step, and
 // it is not known how long the one will last.
+static void set_survivor(uint32_t life)
+{
+    static uint32_t lifetimes[TASKS];
+    for (uint32_t i = 0; i < TASKS; i++)
+        lifetimes[i] = i == 0 ? life : 1;
+    count_alive(lifetimes, TASKS);
+    kit_given("%d tasks, one of %u steps, the rest of 1; price %u",
+              TASKS, life, price);
+}
+
+static void check_survivor(void)
+{
+    check_end();
+    check_cost(2 * least_cost(), "twice the least possible");
+}
+
 static void one_survivor(uint64_t seed)
 {
     (void)seed;
     price = 40;
-    for (uint32_t life = 1; life <= 160; life++) {
-        static uint32_t lifetimes[TASKS];
-        for (uint32_t i = 0; i < TASKS; i++)
-            lifetimes[i] = i == 0 ? life : 1;
-        count_alive(lifetimes, TASKS);
-        kit_given("%d tasks, one of %u steps, the rest of 1; price %u",
-                  TASKS, life, price);
-        check_twice(TASKS);
+    struct record *records =
+        kit_output("the records", LIVES, sizeof *records);
+    CALL(for (uint32_t life = 1; life <= LIVES; life++) {
+        set_survivor(life);
+        record = &records[life - 1];
+        begin(TASKS);
+        STUDENT(work_off)(TASKS, price);
+        check_survivor();
+    });
+    for (uint32_t life = 1; life <= LIVES; life++) {
+        set_survivor(life);
+        record = &records[life - 1];
+        check_survivor();
     }
 }
 

@@ -1,21 +1,55 @@
 // Tests of the diameter: against all pairs, and the counts against the
 // number of corners.
+#include "common/allocate.h"
 #include "common/random.h"
 #include "exercise.h"
 #include "kit.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-static struct points corners;
-static struct pair *found;
-
-// What the student's process leaves behind, and for every pair whether
-// it was measured.
-static struct notes {
+// Several hulls, which are put into one call. What the student's
+// process leaves behind of each: the answer, the counts, and for every
+// pair whether it was measured.
+enum { HULLS_MOST = 10, CORNERS_MOST = 2000 };
+struct notes {
+    struct pair found;
     uint64_t measured, heights;
     bool no_corner, endless;
-} * notes;
+};
+static struct hull {
+    char given[80];
+    uint32_t n;
+    double x[CORNERS_MOST], y[CORNERS_MOST];
+    bool *seen;
+} hulls[HULLS_MOST];
+static int hull_count;
+static struct notes *all_notes;
+
+// Of the one that is at work.
+static struct points corners;
+static struct notes *notes;
 static bool *seen;
+
+static void choose(int number)
+{
+    struct hull *hull = &hulls[number];
+    kit_given("%s", hull->given);
+    corners = (struct points){hull->n, hull->x, hull->y};
+    notes = &all_notes[number];
+    seen = hull->seen;
+}
+
+static void add_hull(uint32_t n, const char *given)
+{
+    struct hull *hull = &hulls[hull_count++];
+    snprintf(hull->given, sizeof hull->given, "%s", given);
+    hull->n = n;
+    hull->seen = kit_output("seen", (size_t)n * n, sizeof(bool));
+    memset(hull->seen, false, (size_t)n * n);
+    corners = (struct points){n, hull->x, hull->y};
+}
 
 static void need_corners(uint32_t i, uint32_t j)
 {
@@ -84,7 +118,8 @@ static int compare(const void *p, const void *q)
 
 // The hull that has these sides, which sum to 0, but for those that
 // have the same direction, which become one.
-static void build(struct side *side, uint32_t count, uint32_t first)
+static void build(struct side *side, uint32_t count, uint32_t first,
+                  bool even)
 {
     uint32_t some = 0, n = 0;
     for (uint32_t s = 0; s < count; s++)
@@ -98,8 +133,8 @@ static void build(struct side *side, uint32_t count, uint32_t first)
         } else {
             side[n++] = side[s];
         }
-    corners = (struct points){n, kit_input("x", n, sizeof(double)),
-                              kit_input("y", n, sizeof(double))};
+    add_hull(n, kit_text("a hull of %u corners%s", n,
+                         even ? ", its sides parallel in pairs" : ""));
     double x = 0, y = 0;
     for (uint32_t s = 0; s < n; s++) {
         uint32_t turned = (s + first) % n;
@@ -117,9 +152,7 @@ static void lay(uint32_t count, uint32_t wide, uint32_t high, bool even,
                 uint64_t seed)
 {
     struct random random = {seed};
-    kit_next_case();
-    struct side *side =
-        kit_input("sides", 2 * (size_t)count, sizeof *side);
+    struct side *side = allocate(2 * (size_t)count, sizeof *side);
     struct side sum = {0, 0};
     for (uint32_t s = 0; s < count; s++) {
         side[s] = (struct side){
@@ -132,9 +165,8 @@ static void lay(uint32_t count, uint32_t wide, uint32_t high, bool even,
     if (!even)
         side[count] = (struct side){-sum.x, -sum.y};
     build(side, even ? 2 * count : count + 1,
-          random_bits(&random) % count);
-    kit_given("a hull of %u corners%s", corners.n,
-              even ? ", its sides parallel in pairs" : "");
+          random_bits(&random) % count, even);
+    free(side);
 }
 
 // Hulls with three tips, nearly as wide in one direction as in another:
@@ -166,14 +198,11 @@ static const struct side tips[][8] = {{{-252, -839},
 
 static void lay_tips(const struct side *tip, uint32_t first)
 {
-    kit_next_case();
-    corners = (struct points){8, kit_input("x", 8, sizeof(double)),
-                              kit_input("y", 8, sizeof(double))};
+    add_hull(8, "a hull of 8 corners, a triangle with round sides");
     for (uint32_t s = 0; s < 8; s++) {
         corners.x[s] = tip[(s + first) % 8].x;
         corners.y[s] = tip[(s + first) % 8].y;
     }
-    kit_given("a hull of 8 corners, a triangle with round sides");
 }
 
 // ---- what is right, and what is found by mistake -------------------
@@ -228,18 +257,18 @@ static const char *tell(struct pair pair)
 
 static bool found_by(enum rule rule)
 {
-    return found->d2 == search(rule).d2;
+    return notes->found.d2 == search(rule).d2;
 }
 
 static const char *wrong_cause(struct pair right)
 {
-    if (found->i >= corners.n || found->j >= corners.n)
+    if (notes->found.i >= corners.n || notes->found.j >= corners.n)
         return "These are no corners: was any pair ever kept?";
-    if (found->d2 != between(found->i, found->j))
+    if (notes->found.d2 != between(notes->found.i, notes->found.j))
         return "This is not the squared distance of these two.";
-    if (found->d2 == right.d2 && found->i > found->j)
+    if (notes->found.d2 == right.d2 && notes->found.i > notes->found.j)
         return "The lower number comes first.";
-    if (found->d2 == right.d2)
+    if (notes->found.d2 == right.d2)
         return "These tie: the lowest i is asked for, and then the "
                "lowest j. The pairs do not come in that order.";
     if (seen[right.i * corners.n + right.j])
@@ -266,16 +295,8 @@ static const char *wrong_cause(struct pair right)
            "side above which the other one is highest.";
 }
 
-static void check(void)
+static void check_answer(void)
 {
-    size_t n = corners.n;
-    notes = kit_output("the counts", 1, sizeof *notes);
-    seen = kit_output("seen", n * n, sizeof *seen);
-    found = kit_output("the answer", 1, sizeof *found);
-    *notes = (struct notes){0};
-    for (size_t p = 0; p < n * n; p++)
-        seen[p] = false;
-    CALL(*found = STUDENT(diameter)(corners.n));
     if (notes->no_corner)
         WRONG(.expected = kit_text("corners 0 to %u", corners.n - 1),
               .found = "a function called for another",
@@ -286,11 +307,11 @@ static void check(void)
               .cause = "A next corner that is just as high is not "
                        "higher. With two corners all heights are 0.");
     struct pair right = right_answer();
-    if (found->i != right.i || found->j != right.j ||
-        found->d2 != right.d2)
-        WRONG(.expected = tell(right), .found = tell(*found),
+    if (notes->found.i != right.i || notes->found.j != right.j ||
+        notes->found.d2 != right.d2)
+        WRONG(.expected = tell(right), .found = tell(notes->found),
               .picture = {corners,
-                          {found->i, found->j},
+                          {notes->found.i, notes->found.j},
                           {right.i, right.j}},
               .cause = wrong_cause(right));
 }
@@ -298,7 +319,7 @@ static void check(void)
 // Right answers are not enough: far fewer pairs than there are.
 static void check_few(void)
 {
-    check();
+    check_answer();
     const uint32_t n = corners.n;
     if (n >= 16 && notes->measured > n * n / 4)
         WRONG(.expected = kit_text("at most %u distances of %u corners",
@@ -311,7 +332,7 @@ static void check_few(void)
 
 static void check_counts(void)
 {
-    check();
+    check_answer();
     uint32_t n = corners.n;
     if (notes->measured > 3 * n || notes->measured == 0)
         WRONG(.expected = kit_text("1 to %u distances", 3 * n),
@@ -330,11 +351,31 @@ static void check_counts(void)
 
 // ---- tests ---------------------------------------------------------
 
+// All hulls that were laid.
+static void check_hulls(void (*check)(void))
+{
+    const int count = hull_count;
+    hull_count = 0;
+    all_notes = kit_output("the counts", count, sizeof *all_notes);
+    memset(all_notes, 0, count * sizeof *all_notes);
+    CALL(for (int h = 0; h < count; h++) {
+        choose(h);
+        notes->found = STUDENT(diameter)(corners.n);
+        check();
+    });
+    for (int h = 0; h < count; h++) {
+        choose(h);
+        check();
+    }
+    kit_next_case();
+}
+
 static void scattered(uint64_t seed)
 {
     for (uint64_t k = 0; k < 100; k++) {
         lay(3 + k, 1000, 1000, false, seed + k);
-        check_few();
+        if (k % 10 == 9)
+            check_hulls(check_few);
     }
 }
 
@@ -343,25 +384,27 @@ static void oblong(uint64_t seed)
     for (uint64_t k = 0; k < 100; k++) {
         lay(3 + k / 4, k % 2 ? 40 : 500, k % 2 ? 500 : 40, false,
             seed + k);
-        check_few();
+        if (k % 10 == 9)
+            check_hulls(check_few);
     }
 }
 
 static void rounded(uint64_t seed)
 {
     (void)seed;
-    for (int k = 0; k < 3; k++)
-        for (uint32_t first = 0; first < 8; first++) {
+    for (int k = 0; k < 3; k++) {
+        for (uint32_t first = 0; first < 8; first++)
             lay_tips(tips[k], first);
-            check();
-        }
+        check_hulls(check_answer);
+    }
 }
 
 static void parallel(uint64_t seed)
 {
     for (uint64_t k = 0; k < 60; k++) {
         lay(2 + k / 3, 60, 60, true, seed + k);
-        check_few();
+        if (k % 10 == 9)
+            check_hulls(check_few);
     }
 }
 
@@ -369,38 +412,37 @@ static void ties(uint64_t seed)
 {
     for (uint64_t k = 0; k < 200; k++) {
         lay(2 + k % 8, 1 + k % 3, 1, k % 2 == 0, seed + k);
-        if (corners.n > 2)
-            check();
+        if (corners.n <= 2)
+            hull_count--;
+        if (k % 10 == 9)
+            check_hulls(check_answer);
     }
 }
 
-static void single(void)
+static void lay_single(void)
 {
-    kit_next_case();
-    corners = (struct points){1, kit_input("x", 1, sizeof(double)),
-                              kit_input("y", 1, sizeof(double))};
+    add_hull(1, "a single corner");
     corners.x[0] = corners.y[0] = 3;
-    kit_given("a single corner");
-    check();
 }
 
 static void few(uint64_t seed)
 {
     for (uint64_t k = 0; k < 20; k++) {
         lay(1, 100, 100, true, seed + k);
-        check();
         lay(2, 100, 100, false, seed + k);
-        check();
+        if (k % 5 == 4)
+            check_hulls(check_answer);
     }
-    single();
+    lay_single();
+    check_hulls(check_answer);
 }
 
 static void counts(uint64_t seed)
 {
     lay(1500, 1000, 1000, false, seed);
-    check_counts();
+    check_hulls(check_counts);
     lay(600, 1000, 100, true, seed);
-    check_counts();
+    check_hulls(check_counts);
 }
 
 const struct kit_test kit_tests[] = {

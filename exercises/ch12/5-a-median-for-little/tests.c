@@ -23,7 +23,7 @@ static void prepare(uint32_t count, uint64_t seed)
     n = count;
     value = kit_input("the numbers", n, sizeof *value);
     room = kit_output("room", 2 * (size_t)n, sizeof *room);
-    found = kit_output("the answer", 1, sizeof *found);
+    found = kit_output("the answer", n, sizeof *found);
     asked = kit_output("the count", 1, sizeof *asked);
     for (uint32_t k = 0; k < n; k++)
         value[k] = k;
@@ -35,30 +35,51 @@ static void prepare(uint32_t count, uint64_t seed)
     }
 }
 
-static void ask(uint32_t rank)
+static void give(uint32_t rank)
 {
     kit_given("%u numbers, rank %u", n, rank);
-    CALL(*asked = 0; *found = STUDENT(number_of_rank)(n, rank, room));
-    if (*found >= n)
+}
+
+static void check(uint32_t rank, uint32_t answer)
+{
+    give(rank);
+    if (answer >= n)
         WRONG(.expected = kit_text("a number below %u", n),
-              .found = kit_text("%u", *found),
+              .found = kit_text("%u", answer),
               .cause = "Was the room read where nothing was written?");
-    if (value[*found] != rank)
+    if (value[answer] != rank)
         WRONG(.expected = kit_text("the number of rank %u", rank),
-              .found = kit_text("that of rank %u", value[*found]),
-              .cause = labs((long)value[*found] - (long)rank) == 1
+              .found = kit_text("that of rank %u", value[answer]),
+              .cause = labs((long)value[answer] - (long)rank) == 1
                            ? "It is next to it: ranks begin at 0, and "
                              "the pivot has one, too."
                            : "Were those counted that are below what "
                              "was kept?");
 }
 
+static void ask(uint32_t rank)
+{
+    give(rank);
+    CALL(*asked = 0; *found = STUDENT(number_of_rank)(n, rank, room));
+    check(rank, *found);
+}
+
+static void ask_for_all(void)
+{
+    CALL(for (uint32_t rank = 0; rank < n; rank++) {
+        give(rank);
+        found[rank] = STUDENT(number_of_rank)(n, rank, room);
+        check(rank, found[rank]);
+    });
+    for (uint32_t rank = 0; rank < n; rank++)
+        check(rank, found[rank]);
+}
+
 static void few(uint64_t seed)
 {
     for (uint32_t count = 1; count < 40; count++) {
         prepare(count, seed + count);
-        for (uint32_t rank = 0; rank < count; rank++)
-            ask(rank);
+        ask_for_all();
     }
 }
 

@@ -5,11 +5,11 @@
 #include "kit.h"
 #include <math.h>
 
-enum { ROUNDS = 4000, QUERIES = 64 };
+enum { ROUNDS = 4000, QUERIES = 64, ASKED = 8 };
 
 static struct boxes boxes;
 static struct box *query;
-static uint32_t *found, *count;
+static uint32_t *found, *found_by[ASKED], *count;
 
 // Boxes up to so large, in a unit cube; with steps, all places are
 // multiples of 1/steps.
@@ -24,8 +24,10 @@ static void prepare(uint32_t n, double size, double steps,
             side[s][k] =
                 kit_input(s ? "high" : "low", n, sizeof(double));
     query = kit_input("the box", QUERIES, sizeof *query);
-    found = kit_output("found", n, sizeof *found);
-    count = kit_output("the answer", 1, sizeof *count);
+    for (int q = 0; q < ASKED; q++)
+        found_by[q] = kit_output("found", n, sizeof *found);
+    found = found_by[0];
+    count = kit_output("the answer", ASKED, sizeof *count);
     for (uint32_t i = 0; i < n + QUERIES; i++)
         for (int k = 0; k < 3; k++) {
             const double x = random_uniform(&random);
@@ -77,9 +79,9 @@ static const char *cause_of(uint32_t i, const struct box *b)
     return "A box that meets is missing, or stands at another place.";
 }
 
-static void check(const struct box *b)
+static void check(const struct box *b, const uint32_t *found,
+                  uint32_t count)
 {
-    CALL(*count = STUDENT(find_meeting)(boxes, b, found));
     uint32_t right = 0;
     for (uint32_t i = 0; i < boxes.n; i++)
         right += is_met(i, b);
@@ -87,30 +89,35 @@ static void check(const struct box *b)
     for (uint32_t i = 0; i < boxes.n; i++) {
         if (!is_met(i, b))
             continue;
-        if (k >= *count || found[k] != i)
+        if (k >= count || found[k] != i)
             WRONG(.where = kit_text("place %u of found", k),
                   .expected = kit_text("box %u", i),
-                  .found = k >= *count ? "nothing"
-                                       : kit_text("box %u", found[k]),
+                  .found = k >= count ? "nothing"
+                                      : kit_text("box %u", found[k]),
                   .cause = cause_of(
-                      k >= *count || found[k] > i ? i : found[k], b));
+                      k >= count || found[k] > i ? i : found[k], b));
         k++;
     }
-    if (*count != right)
+    if (count != right)
         WRONG(.expected = kit_text("%u boxes", right),
-              .found = kit_text("%u", *count),
-              .cause =
-                  found[right] < boxes.n && !is_met(found[right], b)
-                      ? cause_of(found[right], b)
-                      : "More are counted than meet.");
+              .found = kit_text("%u", count),
+              .cause = right < boxes.n && found[right] < boxes.n &&
+                               !is_met(found[right], b)
+                           ? cause_of(found[right], b)
+                           : "More are counted than meet.");
 }
 
 static void check_all(uint64_t seed, double size, double steps)
 {
     for (uint32_t n = 0; n < 400; n += 1 + n / 4) {
         prepare(n, size, steps, seed + n);
-        for (int q = 0; q < 8; q++)
-            check(&query[q]);
+        CALL(for (int q = 0; q < ASKED; q++) {
+            count[q] =
+                STUDENT(find_meeting)(boxes, &query[q], found_by[q]);
+            check(&query[q], found_by[q], count[q]);
+        });
+        for (int q = 0; q < ASKED; q++)
+            check(&query[q], found_by[q], count[q]);
     }
 }
 
