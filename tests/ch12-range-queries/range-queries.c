@@ -295,7 +295,7 @@ static void check_place(const struct bench *bench,
     double *distance2 = allocate(p->n, sizeof *distance2);
     sort_all(p, place, self, pair);
     for (uint32_t k = 1; k <= p->n; k = 3 * k + 2) {
-        struct neighbors query = {.place = place,
+        struct neighbors query = {.at = place,
                                   .self = self,
                                   .point = bench->found,
                                   .distance2 = distance2};
