@@ -204,7 +204,7 @@ void kd_rebuild(struct kd_tree *tree, const struct point_set *points)
 }
 //<
 
-//> Refit the bounds
+//> Find the range around both
 static struct range join(const struct range *a, const struct range *b,
                          int d)
 {
@@ -215,7 +215,9 @@ static struct range join(const struct range *a, const struct range *b,
     }
     return both;
 }
+//<
 
+//> Refit the bounds
 static struct range refit(struct kd_tree *tree, uint32_t node)
 {
     if (node >= tree->leaves) {

@@ -83,7 +83,9 @@ static inline void take_one(struct neighbors *query, double distance2,
         query->distance2[query->count++] = distance2;
     }
 }
+//<
 
+//> Take a stretch of candidates
 void take_neighbors(const struct sorted_points *sorted, uint32_t begin,
                     uint32_t end, struct neighbors *query)
 {

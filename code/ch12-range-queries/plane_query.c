@@ -76,13 +76,15 @@ static bool can_have(const struct near_list *list, double bound,
 }
 //<
 
-//> Search the boxes within reach
-// The nearer one first. A stack as in chapter 11.
+//> Hold a node that waits
 struct waiting_node {
     double bound;
     uint32_t node;
 };
+//<
 
+//> Search the boxes within reach
+// The nearer one first. A stack as in chapter 11.
 INLINED void search_boxes(const enum geometry geometry,
                           struct plane_query *query)
 {
