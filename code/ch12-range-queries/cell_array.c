@@ -12,7 +12,11 @@
 //> Choose the cells
 // All sides equal, as far as may be: a coordinate that is narrower than
 // the side is not cut, and the others are cut the more. Logarithms keep
-// products of many widths within what a double can be.
+// products of many widths within what a double can be. They are
+// rounded, so what is as wide as the side, or as a whole number of
+// sides, but for a hair, is taken to be just that.
+static const double HAIR = 1e-9;
+
 static void choose_counts(struct cell_array *cells, double wanted)
 {
     const int d = cells->sorted.points.d;
@@ -32,14 +36,14 @@ static void choose_counts(struct cell_array *cells, double wanted)
         log_side = sum / left;
         before = left;
         for (int k = 0; k < d; k++)
-            if (cut[k] && log_width[k] <= log_side) {
+            if (cut[k] && log_width[k] <= log_side + HAIR) {
                 cut[k] = false;
                 left--;
             }
     }
     for (int k = 0; k < d; k++)
         cells->count[k] =
-            cut[k] ? (uint32_t)exp(log_width[k] - log_side) : 1;
+            cut[k] ? (uint32_t)exp(log_width[k] - log_side + HAIR) : 1;
 }
 //<
 

@@ -32,6 +32,7 @@ struct cell_array cell_array_make(const struct point_set *points,
 void cell_array_free(struct cell_array *cells);
 size_t cell_array_bytes(const struct cell_array *cells);
 
+//> Find the cell of a number
 // The cell of a number along coordinate k; never falls where the
 // number grows. Numbers beyond the range are in the first or last.
 static inline uint32_t cell_along(const struct cell_array *cells, int k,
@@ -43,6 +44,7 @@ static inline uint32_t cell_along(const struct cell_array *cells, int k,
            : cell > 0   ? (uint32_t)cell
                         : 0;
 }
+//<
 
 void cell_array_query(const struct cell_array *cells,
                       const struct range *range, struct report *report);

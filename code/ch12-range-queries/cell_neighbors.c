@@ -1,5 +1,5 @@
 //> Find neighbors in the cell array
-// A block of cells around the place, then ring after ring, until the
+// A block of cells around the query, then ring after ring, until the
 // nearest that could lie outside is out of reach. The ways to cells are
 // sums in the order of the coordinates, like distances, and never more
 // than these.
@@ -11,7 +11,7 @@
 struct search {
     const struct cell_array *cells;
     struct neighbors *query;
-    int64_t home[MOST_DIMENSIONS]; // the cell of the place
+    int64_t home[MOST_DIMENSIONS]; // the cell of the query
     int64_t ring;                  // how far the block reaches
 };
 //<
@@ -20,7 +20,7 @@ struct search {
 static double way_to(const struct search *search, int k, int64_t j)
 {
     const struct cell_array *cells = search->cells;
-    const double x = search->query->place[k];
+    const double x = search->query->at[k];
     double way = 0;
     if (j < search->home[k])
         way = x - cells->greatest[k][j];
@@ -128,7 +128,7 @@ void cell_array_neighbors(const struct cell_array *cells,
 {
     struct search search = {cells, query};
     for (int k = 0; k < cells->sorted.points.d; k++)
-        search.home[k] = cell_along(cells, k, query->place[k]);
+        search.home[k] = cell_along(cells, k, query->at[k]);
     choose_ring(&search);
     walk(&search, 0, 0, 0, true);
     while (is_open(&search)) {

@@ -49,10 +49,12 @@ static double place_halves(const double *x, struct span span,
                            uint32_t middle, double median,
                            uint32_t *place)
 {
+    //> Count those that are equal and may still go left
     uint32_t below = 0;
     for (uint32_t i = span.begin; i < span.end; i++)
         below += x[i] < median;
-    uint32_t equal = middle - span.begin - below; // may still go left
+    uint32_t equal = middle - span.begin - below;
+    //<
     uint32_t left = span.begin, right = middle;
     double greatest = -INFINITY;
     for (uint32_t i = span.begin; i < span.end; i++) {
@@ -98,8 +100,6 @@ static struct span span_of(const struct kd_tree *tree, uint32_t node,
 //<
 
 //> Cut a node at the median
-enum { WORTH_A_TASK = 1 << 13 };
-
 static void cut(const struct building *b, uint32_t node, int level)
 {
     struct kd_tree *tree = b->tree;
@@ -108,6 +108,7 @@ static void cut(const struct building *b, uint32_t node, int level)
     const struct sorted_points *from = from_side(b, level);
     const struct span span = span_of(tree, node, level);
     const uint32_t middle = span_of(tree, 2 * node, level + 1).end;
+    //> Choose, select, place and copy
     const int axis = widest(&from->points, span);
     const double *x = from->points.x[axis];
     const double median = select_rank(
@@ -118,10 +119,14 @@ static void cut(const struct building *b, uint32_t node, int level)
     tree->left_high[node] =
         place_halves(x, span, middle, median, b->place);
     copy_halves(from, span, b->place, from_side(b, level + 1));
+    //<
+    //> Cut both halves, one of them as a task
+    enum { WORTH_A_TASK = 1 << 13 };
 #pragma omp task if (span.end - span.begin > WORTH_A_TASK)
     cut(b, 2 * node, level + 1);
     cut(b, 2 * node + 1, level + 1);
 #pragma omp taskwait
+    //<
 }
 //<
 
@@ -150,13 +155,14 @@ struct kd_tree kd_make(const struct point_set *points, uint32_t leaf,
     const uint32_t n = points->n;
     struct kd_tree tree = {sorted_points_allocate(n, points->d),
                            .threads = threads};
+    //> Choose the depth and make room for the nodes
     while ((n - 1) >> tree.depth >= leaf)
         tree.depth++;
     tree.leaves = 1u << tree.depth;
     tree.axis = allocate(tree.leaves, sizeof *tree.axis);
     tree.left_high = allocate(tree.leaves, sizeof *tree.left_high);
     tree.right_low = allocate(tree.leaves, sizeof *tree.right_low);
-
+    //<
     struct sorted_points other = sorted_points_allocate(n, points->d);
     struct sorted_points *first =
         tree.depth % 2 ? &other : &tree.sorted;
@@ -198,7 +204,7 @@ void kd_rebuild(struct kd_tree *tree, const struct point_set *points)
 }
 //<
 
-//> Refit the bounds
+//> Find the range around both
 static struct range join(const struct range *a, const struct range *b,
                          int d)
 {
@@ -209,7 +215,9 @@ static struct range join(const struct range *a, const struct range *b,
     }
     return both;
 }
+//<
 
+//> Refit the bounds
 static struct range refit(struct kd_tree *tree, uint32_t node)
 {
     if (node >= tree->leaves) {

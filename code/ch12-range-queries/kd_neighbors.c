@@ -1,5 +1,5 @@
 //> Find neighbors in the k-d tree
-// First to the side where the place is, then to the other, if that is
+// First to the side where the query is, then to the other, if that is
 // within reach. The way to a node, squared, is a sum in the order of
 // the coordinates, like a distance: as rounding never turns an order
 // over, it is at most the distance to any point there.
@@ -34,7 +34,7 @@ static void visit(struct search *search, uint32_t node)
         return;
     }
     const int axis = tree->axis[node];
-    const double x = search->query->place[axis];
+    const double x = search->query->at[axis];
     const double to_left = x - tree->left_high[node];
     const double to_right = tree->right_low[node] - x;
     const bool right = to_right < to_left;
@@ -51,8 +51,8 @@ void kd_neighbors(const struct kd_tree *tree, struct neighbors *query)
 {
     struct search search = {tree, query};
     for (int k = 0; k < tree->sorted.points.d; k++) {
-        const double below = tree->range.low[k] - query->place[k];
-        const double above = query->place[k] - tree->range.high[k];
+        const double below = tree->range.low[k] - query->at[k];
+        const double above = query->at[k] - tree->range.high[k];
         search.way[k] = MAX(MAX(below, above), 0);
     }
     if (way2(&search) <= query->reach2)

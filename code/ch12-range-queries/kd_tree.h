@@ -43,6 +43,7 @@ void kd_query(const struct kd_tree *tree, const struct range *range,
               struct report *report);
 void kd_neighbors(const struct kd_tree *tree, struct neighbors *query);
 
+//> Find the places of a leaf
 static inline struct span kd_leaf(const struct kd_tree *tree,
                                   uint32_t leaf)
 {
@@ -50,4 +51,5 @@ static inline struct span kd_leaf(const struct kd_tree *tree,
     return (struct span){(uint32_t)(leaf * n / tree->leaves),
                          (uint32_t)((leaf + 1) * n / tree->leaves)};
 }
+//<
 //<

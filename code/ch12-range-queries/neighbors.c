@@ -25,14 +25,14 @@ void want_within(struct neighbors *query, double distance)
 
 //> Measure several distances at once
 static inline void measure(const struct point_set *points, uint32_t i,
-                           const double *place, double distance2[LANES])
+                           const double *at, double distance2[LANES])
 {
     for (int lane = 0; lane < LANES; lane++)
         distance2[lane] = 0;
     for (int k = 0; k < points->d; k++) {
         const double *x = points->x[k] + i;
         for (int lane = 0; lane < LANES; lane++) {
-            const double apart = x[lane] - place[k];
+            const double apart = x[lane] - at[k];
             distance2[lane] += apart * apart;
         }
     }
@@ -83,13 +83,15 @@ static inline void take_one(struct neighbors *query, double distance2,
         query->distance2[query->count++] = distance2;
     }
 }
+//<
 
+//> Take a stretch of candidates
 void take_neighbors(const struct sorted_points *sorted, uint32_t begin,
                     uint32_t end, struct neighbors *query)
 {
     for (uint32_t s = begin; s < end; s += LANES) {
         double distance2[LANES];
-        measure(&sorted->points, s, query->place, distance2);
+        measure(&sorted->points, s, query->at, distance2);
         const uint32_t some = MIN(end - s, LANES);
         for (uint32_t lane = 0; lane < some; lane++)
             if (distance2[lane] <= query->reach2)
@@ -106,7 +108,7 @@ void scan_neighbors(const struct point_set *points,
     for (uint32_t i = 0; i < points->n; i++) {
         double distance2 = 0;
         for (int k = 0; k < points->d; k++) {
-            const double apart = points->x[k][i] - query->place[k];
+            const double apart = points->x[k][i] - query->at[k];
             distance2 += apart * apart;
         }
         if (distance2 <= query->reach2)

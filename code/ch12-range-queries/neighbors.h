@@ -1,20 +1,20 @@
 //> Declare the neighbors
-// All points within a distance of a place, or the k nearest to it.
+// All points within a distance of a query, or the k nearest to it.
 // Squared distances are sums in the order of the coordinates, from 0
 // on: the same to the last bit, whatever structure finds them.
 #pragma once
 #include "ch12-range-queries/scan.h"
 
-//> Hold the neighbors of a place
+//> Hold a query for neighbors
 struct neighbors {
-    const double *place; // d coordinates
-    uint32_t self;       // a point that is not wanted, or NO_INDEX
-    bool nearest;        // only the k nearest, of equal ones the lowest
-    uint32_t k;          // how many are wanted; if not nearest, room
-    double reach2;       // no neighbor is further, squared
-    uint32_t count;      // found so far
-    uint32_t *point;     // [count]; the nearest ones in their order
-    double *distance2;   // from the place
+    const double *at;  // d coordinates: where the query is
+    uint32_t self;     // a point that is not wanted, or NO_INDEX
+    bool nearest;      // only the k nearest, of equal ones the lowest
+    uint32_t k;        // how many are wanted; if not nearest, room
+    double reach2;     // no neighbor is further, squared
+    uint32_t count;    // found so far
+    uint32_t *point;   // [count]; the nearest ones in their order
+    double *distance2; // from the query
     uint64_t steps, tested;
 };
 //<

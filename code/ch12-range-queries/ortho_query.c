@@ -1,11 +1,11 @@
 //> Query the orthotree
-// Steps are compared, whole numbers, and no coordinates of borders: a
-// node beyond the steps of the range's borders is outside, one strictly
+// Bins are compared, whole numbers, and no coordinates of borders: a
+// node beyond the bins of the range's borders is outside, one strictly
 // between them inside.
 #include "ch12-range-queries/orthotree.h"
 
-//> Hold a query in steps
-struct step_query {
+//> Hold a query in bins
+struct bin_query {
     const struct orthotree *tree;
     const struct range *range;
     struct report *report;
@@ -15,19 +15,19 @@ struct step_query {
 };
 
 struct corner {
-    uint32_t step[MOST_DIMENSIONS]; // the lowest of a node
+    uint32_t bin[MOST_DIMENSIONS]; // the lowest of a node
 };
 //<
 
-//> Turn the range into steps
-static struct step_query query_of(const struct orthotree *tree,
-                                  const struct range *range,
-                                  struct report *report)
+//> Turn the range into bins
+static struct bin_query query_of(const struct orthotree *tree,
+                                 const struct range *range,
+                                 struct report *report)
 {
-    struct step_query query = {tree, range, report};
+    struct bin_query query = {tree, range, report};
     for (int k = 0; k < tree->sorted.points.d; k++) {
-        query.first[k] = step_along(tree, k, range->low[k]);
-        query.last[k] = step_along(tree, k, range->high[k]);
+        query.first[k] = bin_along(tree, k, range->low[k]);
+        query.last[k] = bin_along(tree, k, range->high[k]);
         query.inner[k] = (uint64_t)query.first[k] +
                          (range->low[k] > tree->range.low[k]);
         query.end[k] = (uint64_t)query.last[k] +
@@ -46,7 +46,7 @@ static void go_down(const struct orthotree *tree, uint64_t key,
         const uint32_t part = part_of(tree, key, level);
         const int below = tree->levels - 1 - level;
         for (int k = 0; k < tree->sorted.points.d; k++)
-            corner->step[k] |= (part >> k & 1) << below;
+            corner->bin[k] |= (part >> k & 1) << below;
     }
 }
 //<
@@ -54,7 +54,7 @@ static void go_down(const struct orthotree *tree, uint64_t key,
 //> Compare a node with the range
 // Returns the set of coordinates along which its points may lie inside
 // or outside; false if it lies outside.
-static bool meets(const struct step_query *query,
+static bool meets(const struct bin_query *query,
                   const struct corner *corner, int level,
                   unsigned *axes)
 {
@@ -62,7 +62,7 @@ static bool meets(const struct step_query *query,
     const uint64_t side = (uint64_t)1 << (tree->levels - level);
     *axes = 0;
     for (int k = 0; k < tree->sorted.points.d; k++) {
-        const uint64_t low = corner->step[k], high = low + side - 1;
+        const uint64_t low = corner->bin[k], high = low + side - 1;
         if (high < query->first[k] || low > query->last[k])
             return false;
         const bool inside =
@@ -74,7 +74,7 @@ static bool meets(const struct step_query *query,
 //<
 
 //> Visit the parts that the range meets
-static void visit(const struct step_query *query, uint32_t number,
+static void visit(const struct bin_query *query, uint32_t number,
                   struct corner corner, int level)
 {
     const struct orthotree *tree = query->tree;
@@ -101,7 +101,7 @@ static void visit(const struct step_query *query, uint32_t number,
 void ortho_query(const struct orthotree *tree,
                  const struct range *range, struct report *report)
 {
-    const struct step_query query = query_of(tree, range, report);
+    const struct bin_query query = query_of(tree, range, report);
     const int d = tree->sorted.points.d;
     if (ranges_meet(&tree->range, range, d))
         visit(&query, 0, (struct corner){0}, 0);

@@ -10,7 +10,7 @@
 
 //> Number the points by Morton
 // Each bit of a byte moves to d times its place; so eight bits of a
-// step are spread at once.
+// bin are spread at once.
 static struct radix_record *number(const struct orthotree *tree,
                                    const struct point_set *points)
 {
@@ -24,9 +24,9 @@ static struct radix_record *number(const struct orthotree *tree,
         record[i] = (struct radix_record){0, i};
     for (int k = 0; k < d; k++)
         for (uint32_t i = 0; i < points->n; i++) {
-            const uint32_t step = step_along(tree, k, points->x[k][i]);
+            const uint32_t bin = bin_along(tree, k, points->x[k][i]);
             for (int bit = 0; bit < tree->levels; bit += 8)
-                record[i].key |= spread[step >> bit & 255]
+                record[i].key |= spread[bin >> bit & 255]
                                  << (bit * d + k);
         }
     return record;

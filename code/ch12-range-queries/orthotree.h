@@ -22,7 +22,7 @@ struct orthotree {
     struct sorted_points sorted;
     struct range range; // of all points
     double scale[MOST_DIMENSIONS];
-    int levels; // 2^levels steps along each coordinate
+    int levels; // 2^levels bins along each coordinate
     uint32_t leaf;
     bool compressed;
     struct ortho_node *node; // the root is the first
@@ -43,18 +43,19 @@ size_t ortho_bytes(const struct orthotree *tree);
 void ortho_query(const struct orthotree *tree,
                  const struct range *range, struct report *report);
 
-// The step of a number along coordinate k, 0 to 2^levels - 1; never
+//> Find the bin of a number
+// The bin of a number along coordinate k, 0 to 2^levels - 1; never
 // falls where the number grows.
-static inline uint32_t step_along(const struct orthotree *tree, int k,
-                                  double x)
+static inline uint32_t bin_along(const struct orthotree *tree, int k,
+                                 double x)
 {
-    const double step = (x - tree->range.low[k]) * tree->scale[k];
+    const double bin = (x - tree->range.low[k]) * tree->scale[k];
     const double last = (double)(((uint64_t)1 << tree->levels) - 1);
-    return step >= last ? (uint32_t)last
-           : step > 0   ? (uint32_t)step
-                        : 0;
+    return bin >= last ? (uint32_t)last : bin > 0 ? (uint32_t)bin : 0;
 }
+//<
 
+//> Find the part of a Morton number
 // Which part of a node of this level a Morton number is in: bit k says
 // that it is in the upper half of coordinate k.
 static inline uint32_t part_of(const struct orthotree *tree,
@@ -63,4 +64,5 @@ static inline uint32_t part_of(const struct orthotree *tree,
     const int d = tree->sorted.points.d;
     return key >> (tree->levels - 1 - level) * d & ((1u << d) - 1);
 }
+//<
 //<

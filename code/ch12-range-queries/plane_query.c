@@ -76,13 +76,15 @@ static bool can_have(const struct near_list *list, double bound,
 }
 //<
 
-//> Search the boxes within reach
-// The nearer one first. A stack as in chapter 11.
+//> Hold a node that waits
 struct waiting_node {
     double bound;
     uint32_t node;
 };
+//<
 
+//> Search the boxes within reach
+// The nearer one first. A stack as in chapter 11.
 INLINED void search_boxes(const enum geometry geometry,
                           struct plane_query *query)
 {
@@ -100,6 +102,7 @@ INLINED void search_boxes(const enum geometry geometry,
             take_piece(geometry, node, query);
             continue;
         }
+        //> Let the two below wait, the nearer on top
         struct waiting_node a = {0, node->child},
                             b = {0, node->sibling};
         a.bound = box_bound(geometry, false, query->index->space,
@@ -109,13 +112,12 @@ INLINED void search_boxes(const enum geometry geometry,
         assert(height < DEEPEST && "the depth is bounded");
         stack[height++] = a.bound < b.bound ? b : a;
         stack[height++] = a.bound < b.bound ? a : b;
+        //<
     }
 }
 //<
 
-//> Choose the first block of a query
-// Of cells, around that of the query: as large as it must be for k
-// points and the query if these are even; and larger, if it has fewer.
+//> Count the points of a block
 static uint32_t points_of_block(const struct piece *piece,
                                 const struct cell_block *block)
 {
@@ -128,7 +130,11 @@ static uint32_t points_of_block(const struct piece *piece,
     }
     return count;
 }
+//<
 
+//> Choose the first block of a query
+// Of cells, around that of the query: as large as it must be for k
+// points and the query if these are even; and larger, if it has fewer.
 static void choose_block(struct plane_query *query)
 {
     const struct grid *grid = &query->piece->sorted.grid;
@@ -170,12 +176,14 @@ INLINED bool is_enough(const enum geometry geometry,
                        const struct plane_query *query)
 {
     const struct grid *grid = &query->piece->sorted.grid;
+    //> Take the region, with wraparound within the box of all
     const struct box *all = &query->index->pieces.node[0].box;
     struct box r = query->piece->region;
     if (geometry == WRAPAROUND)
         r = (struct box){
             MAX(r.left, all->left), MIN(r.right, all->right),
             MAX(r.bottom, all->bottom), MIN(r.top, all->top)};
+    //<
     const struct cell_block *block = &query->block;
     const struct space space = query->index->space;
     const double across =

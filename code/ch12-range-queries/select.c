@@ -5,15 +5,15 @@
 #include "common/min_max.h"
 #include <math.h>
 
-//> Part the numbers by a pivot
+//> Partition the numbers by a pivot
 // x[0 .. n-1] and other[] change roles: the lower ones stay in x, the
 // greater ones go to other. Equal ones are only counted.
-struct parts {
+struct sides {
     uint32_t lower, equal, greater;
 };
 
-static struct parts part(double *x, uint32_t n, double pivot,
-                         double *other)
+static struct sides partition(double *x, uint32_t n, double pivot,
+                              double *other)
 {
     uint32_t lower = 0, greater = 0;
     for (uint32_t i = 0; i < n; i++) {
@@ -23,16 +23,18 @@ static struct parts part(double *x, uint32_t n, double pivot,
         lower += value < pivot;
         greater += value > pivot;
     }
-    return (struct parts){lower, n - lower - greater, greater};
+    return (struct sides){lower, n - lower - greater, greater};
 }
 //<
 
-//> Find the number of a rank
+//> Take the middle of three
 static double middle_of_three(double a, double b, double c)
 {
     return MAX(MIN(a, b), MIN(MAX(a, b), c));
 }
+//<
 
+//> Find the number of a rank
 // The pivot is the median of three that a simple generator picks.
 static double find(double *x, uint32_t n, uint32_t rank, double *other)
 {
@@ -44,17 +46,17 @@ static double find(double *x, uint32_t n, uint32_t rank, double *other)
             pick[k] = x[(uint64_t)random * n >> 32];
         }
         const double pivot = middle_of_three(pick[0], pick[1], pick[2]);
-        const struct parts parts = part(x, n, pivot, other);
-        if (rank < parts.lower) {
-            n = parts.lower;
-        } else if (rank < parts.lower + parts.equal) {
+        const struct sides sides = partition(x, n, pivot, other);
+        if (rank < sides.lower) {
+            n = sides.lower;
+        } else if (rank < sides.lower + sides.equal) {
             return pivot;
         } else {
             double *swap = x;
             x = other;
             other = swap;
-            rank -= parts.lower + parts.equal;
-            n = parts.greater;
+            rank -= sides.lower + sides.equal;
+            n = sides.greater;
         }
     }
 }

@@ -33,10 +33,10 @@ static void ask(const struct structure *structure, const void *built,
                 uint32_t s, struct neighbors *query)
 {
     const struct sorted_points *sorted = structure->walk_order(built);
-    double place[MOST_DIMENSIONS];
+    double at[MOST_DIMENSIONS];
     for (int k = 0; k < sorted->points.d; k++)
-        place[k] = sorted->points.x[k][s];
-    query->place = place;
+        at[k] = sorted->points.x[k][s];
+    query->at = at;
     query->self = sorted->index[s];
     want_nearest(query, query->k);
     structure->neighbors(built, query);

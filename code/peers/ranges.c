@@ -46,7 +46,7 @@ static uint64_t within_ours(const struct structure *s,
         double place[MOST_DIMENSIONS];
         for (int k = 0; k < sorted->points.d; k++)
             place[k] = sorted->points.x[k][i];
-        struct neighbors query = {.place = place,
+        struct neighbors query = {.at = place,
                                   .self = NO_INDEX,
                                   .point = scene->found,
                                   .distance2 = scene->distance2};

@@ -65,7 +65,7 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
 {
     double place[MOST_DIMENSIONS];
     place_of_query(task, q, place);
-    struct neighbors query = {.place = place,
+    struct neighbors query = {.at = place,
                               .self = self_of_query(task, q),
                               .point = room->point,
                               .distance2 = room->distance2};

@@ -295,7 +295,7 @@ static void check_place(const struct bench *bench,
     double *distance2 = allocate(p->n, sizeof *distance2);
     sort_all(p, place, self, pair);
     for (uint32_t k = 1; k <= p->n; k = 3 * k + 2) {
-        struct neighbors query = {.place = place,
+        struct neighbors query = {.at = place,
                                   .self = self,
                                   .point = bench->found,
                                   .distance2 = distance2};
@@ -494,6 +494,40 @@ static void leaves_are_filled_evenly(void)
     }
 }
 
+// A range that is so and so wide, with points at two of its corners.
+static void check_counts(int d, const double *width, double wanted,
+                         const uint32_t *expected)
+{
+    struct point_set points = point_set_allocate(2, d);
+    for (int k = 0; k < d; k++) {
+        points.x[k][0] = 0;
+        points.x[k][1] = width[k];
+    }
+    struct cell_array cells =
+        cell_array_make(&points, 2 / wanted, false);
+    for (int k = 0; k < d; k++)
+        CHECK_INT(expected[k], cells.count[k],
+                  "%g cells, coordinate %d", wanted, k);
+    cell_array_free(&cells);
+    point_set_free(&points);
+}
+
+// Where the cells wanted make cubes without a remainder they are made,
+// whatever way logarithms are rounded.
+static void cubes_without_a_remainder(void)
+{
+    check_counts(2, (double[]){8, 0.5}, 16, (uint32_t[]){16, 1});
+    check_counts(2, (double[]){0.5, 8}, 16, (uint32_t[]){1, 16});
+    check_counts(3, (double[]){1, 1, 1}, 1000,
+                 (uint32_t[]){10, 10, 10});
+    for (int d = 1; d <= 4; d++)
+        for (uint32_t side = 1; pow(side, d) <= 20000; side++) {
+            const double w = 0.1 * d;
+            check_counts(d, (double[]){w, w, w, w}, pow(side, d),
+                         (uint32_t[]){side, side, side, side});
+        }
+}
+
 // Nothing is looked at that lies inside.
 static void whole_ranges_are_not_looked_at(void)
 {
@@ -555,7 +589,7 @@ int main(void)
         "ch12-range-queries", TEST(all_structures), TEST(many_points),
         TEST(many_queries), TEST(all_neighbors), TEST(nearest_of_each),
         TEST(selection), TEST(keys), TEST(threads_make_the_same_tree),
-        TEST(leaves_are_filled_evenly),
+        TEST(leaves_are_filled_evenly), TEST(cubes_without_a_remainder),
         TEST(whole_ranges_are_not_looked_at),
         TEST(close_points_share_a_leaf), TEST(small_moves_are_repaired),
         TEST(k_nearest_in_the_plane), TEST(within_in_the_plane),

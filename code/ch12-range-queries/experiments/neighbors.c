@@ -19,7 +19,7 @@ static struct neighbors ask(const struct structure *s,
         double place[MOST_DIMENSIONS];
         for (int k = 0; k < probe->points.d; k++)
             place[k] = probe->points.x[k][i];
-        struct neighbors query = {.place = place,
+        struct neighbors query = {.at = place,
                                   .self = i,
                                   .point = probe->found,
                                   .distance2 = distance2};

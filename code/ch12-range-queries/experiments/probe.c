@@ -35,7 +35,7 @@ static double reach(const struct kd_tree *tree, const double *place,
 {
     uint32_t point[64];
     double distance2[64];
-    struct neighbors query = {.place = place,
+    struct neighbors query = {.at = place,
                               .self = NO_INDEX,
                               .point = point,
                               .distance2 = distance2};
