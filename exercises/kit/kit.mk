@@ -58,13 +58,15 @@ $(foreach v,sanitized optimized plain,$(eval $(call variant_rules,$(v))))
 # ---- the student's file: SOURCE, as a library TO -------------------
 # The shell expands both names, for they may be anything. TO.d lists
 # all that was included. SEAL is nothing, or runs the compiler behind a
-# fence, in a folder with the headers that there are here.
+# fence, in a folder with the headers that there are here. It is linked
+# apart, for the hooks' own library shall not come with them.
 export SOURCE TO
 library:
 	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) $(STRICT) -Wno-unused-parameter -Iexercises/$(EXERCISE) \
 		$(if $(filter-out sanitized,$(VARIANT)),$(call slow,$(EXERCISE))) \
 		$(if $(filter sanitized,$(VARIANT)),$(call lanes,$(EXERCISE))) \
-		-MD -MF "$$TO.d" -shared -Wl,-Bsymbolic "$$SOURCE" -o "$$TO" -lm
+		-MD -MF "$$TO.d" -c "$$SOURCE" -o "$$TO.o"
+	$(SEAL) $(call compiler,$(VARIANT)) $($(VARIANT)) -shared -Wl,-Bsymbolic "$$TO.o" -o "$$TO" -lm
 
 # What compiles behind a fence.
 $(K)/seal: $(addprefix exercises/kit/,seal.c confine.c fence.c) \
