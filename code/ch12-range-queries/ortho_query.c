@@ -52,8 +52,8 @@ static void go_down(const struct orthotree *tree, uint64_t key,
 //<
 
 //> Compare a node with the range
-// Returns the set of coordinates along which its points may lie inside
-// or outside; false if it lies outside.
+// Returns false if it lies outside. Else axes becomes the set of
+// coordinates along which its points may lie inside or outside.
 static bool meets(const struct bin_query *query,
                   const struct corner *corner, int level,
                   unsigned *axes)
