@@ -9,6 +9,7 @@ load "book/figures/style.gp"
 table = data . "/ch12-tuning.tsv"
 of(name, value) = strcol("structure") eq name ? value : NaN
 set logscale xy
+set xrange [1.7:150]
 set xtics (2, 4, 8, 16, 32, 64, 128)
 set format y powers
 set xlabel "points in a leaf or a cell"
