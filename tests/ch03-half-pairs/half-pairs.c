@@ -79,10 +79,13 @@ static const uint32_t sizes[] = {2,  3,   7,   8,   31,  33,
                                  64, 255, 256, 257, 513, 700};
 enum { SIZES = sizeof sizes / sizeof *sizes };
 
+// The largest sizes take longer than all others: every third kind.
 static void same_answers(void)
 {
     for (int d = 0; d < distribution_count; d++)
         for (int s = 0; s < SIZES; s++) {
+            if (sizes[s] > 500 && d % 3 != 0)
+                continue;
             test_seed(s + 1);
             struct points points =
                 generate(&distributions[d], sizes[s], s + 1);

@@ -193,8 +193,11 @@ static void uniform_of_every_length(void)
 static void every_generator(void)
 {
     static const uint32_t lengths[] = {2, 3, 16, 33, 100, 500};
+    const uint32_t most = at_most("MOST_POINTS", 500 * 20) / 20;
     for (int d = 0; d < distribution_count; d++)
-        for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+        for (size_t k = 0;
+             k < sizeof lengths / sizeof *lengths && lengths[k] <= most;
+             k++) {
             test_seed(k);
             struct points points =
                 generate(&distributions[d], lengths[k], k);
@@ -303,9 +306,9 @@ static void many_small_cases(void)
 }
 
 // ---- as many points as the linear searches like --------------------
-// The plainest search would take too long here: the rows of a cost below
-// n^2 are held against each other, near and far, and with fewer points
-// against the tiles. So would points that crowd in few cells.
+// The plainest search would take too long here: the rows of a cost
+// below n^2 are held against each other, near and far, and with fewer
+// points against the tiles. So would points that crowd in few cells.
 static void many_points(uint32_t n, const struct algorithm *judge)
 {
     static const char *const names[] = {"uniform", "clustered",
