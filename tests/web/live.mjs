@@ -1,7 +1,10 @@
 // node live.mjs BUILD: every figure that runs asks for a prediction, runs
 // when it has one, by the keyboard alone; its answers are the naive ones;
-// each of its buttons can be pressed; and where there is no WebAssembly
-// the picture stands alone. Pictures are left in BUILD/web-check.
+// each of its buttons can be pressed; near, once it is warm, takes no more
+// than four times what portable code takes outside of a browser; and where
+// there is no WebAssembly the picture stands alone. Pictures are left in
+// BUILD/web-check.
+import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { start } from "./chromium.mjs";
@@ -108,6 +111,17 @@ const took = Math.min(await page.evaluate(`${near}.took()`),
   await page.evaluate(`${near}.took()`));
 check(took < 500, `near answers for 100,000 points, in ${took.toFixed(0)} ms`,
   "too slow");
+let warm = Infinity;
+for (let i = 0; i < 15; i++)
+  warm = Math.min(warm, await page.evaluate(`${near}.again()`));
+const trials = execFileSync(build + "/near", ["-n", "100000", "-a",
+  "by-sample", "-t", "1", "-r", "15", "--timing"],
+  { env: { ...process.env, NEAR_ISA: "portable" }, encoding: "utf8" });
+const outside = Math.min(...trials.trim().split("\n").slice(1)
+  .map((line) => line.split("\t")[5] / 1e6));
+check(warm < 4 * outside, `near, when it is warm, in ${warm.toFixed(1)} ms, `
+  + `${(warm / outside).toFixed(1)} times what it takes outside`,
+  "more than four times");
 await page.evaluate(`${near}.open(new File(["x,y\\n0,0\\n3,4\\n0,1\\n"],
   "cities.csv"))`);
 check(/cities.csv: both answers for 3 points/.test(await page.evaluate(said)),
