@@ -10,26 +10,6 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# A compiler that remembers what it said of a text: most faults leave
-# the small book's C as it is.
-mkdir "$scratch/known"
-cat >"$scratch/cc" <<END
-#!/bin/sh
-for file; do :; done
-set -- \$(find "\$file" code -type f -exec cat {} + | cksum) "\$@"
-known=$scratch/known/\$1-\$2
-shift 2
-if ! [ -f "\$known" ]; then
-    ${CC:-cc} "\$@" >"\$known.\$\$" 2>&1
-    echo "exit \$?" >"\$known.status"
-    mv "\$known.\$\$" "\$known"
-fi
-cat "\$known"
-. "\$known.status"
-END
-chmod +x "$scratch/cc"
-export CC="$scratch/cc"
-
 # A fresh copy of the small book.
 book() {
     cp -R "$here/good" "$1" && mkdir -p "$1/build/figures" &&
