@@ -363,7 +363,9 @@ static void every_search_agrees(void)
     static const double per_cell[] = {0.1, 0.7, 2, 9, 1e9};
     for (int d = 0; d < distribution_count; d++)
         for (int g = STANDARD; g <= WRAPAROUND; g++) {
-            struct points points = generate(&distributions[d], 700, 2);
+            struct points points =
+                generate(&distributions[d],
+                         at_most("MOST_POINTS", 7000) / 10, 2);
             const double side = 4 + longest_side(points);
             struct question question = {points, {g, side, side}, 1};
             uint32_t n = question.points.n;
@@ -502,7 +504,7 @@ static void errors_are_as_predicted(void)
 // One point far from all others, which share a few cells.
 static void a_far_point(void)
 {
-    const uint32_t n = 5000;
+    const uint32_t n = at_most("MOST_POINTS", 5000);
     struct points points = generate(find_distribution("uniform"), n, 1);
     points.x[0] = points.y[0] = 100;
     struct question question = {points, {STANDARD, 0, 0}, 1};
@@ -549,7 +551,8 @@ static void a_tie_on_the_border(void)
 // high, and must not pass for a way around it.
 static void cells_beyond_the_points(void)
 {
-    for (uint64_t seed = 0; seed < 2000; seed++) {
+    const uint32_t cases = at_most("MOST_CASES", 20000) / 10;
+    for (uint64_t seed = 0; seed < cases; seed++) {
         test_seed(seed);
         struct random random = {seed};
         struct points p = points_allocate(40);
