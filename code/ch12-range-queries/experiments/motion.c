@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
     columns(&e, "name structure length n build update:3 tested ns:3");
-    for (int row = 2; row < structure_count; row++) // after the scans
+    for (int row = 1; row < structure_count; row++) // after the scan
         for (int k = 0; k < COUNT_OF(lengths); k++)
             print_motion(&structures[row], n, lengths[k], trials);
 }
