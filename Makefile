@@ -458,7 +458,7 @@ check-memory: | $(BUILD)/setup/test
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) test BUILD=$(BUILD)/memory \
 		TESTS="$(filter-out $(no_program),$(TESTS))" \
 		CFLAGS="-O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
-		-fsanitize=address,undefined,float-cast-overflow --coverage"
+		-fsanitize=address,undefined,float-cast-overflow --coverage -fprofile-update=single"
 	tests/coverage $(BUILD)/memory 93
 
 # OpenMP's pragmas make the analyzer see values that nothing has set, so
