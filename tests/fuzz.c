@@ -3,58 +3,15 @@
 // points or the sentence must be the same. Built with short lines and
 // stretches, so that small inputs have many, and for arrays of NumPy's
 // (-DNPY) with their magic in front of the bytes.
-#undef free // what the readers call is release, below
-#include "common/fail.h"
 #include "common/read_points.h"
+#include "fuzz_escape.h"
 #include <fcntl.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
-// ---- failing without an end: the sentence, and all memory back ------
-enum { MOST_BLOCKS = 100, MOST_BYTES = 1 << 28 };
-static struct {
-    jmp_buf back;
-    char sentence[4096];
-    void *blocks[MOST_BLOCKS];
-} run;
-
-_Noreturn void fail(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(run.sentence, sizeof run.sentence, format, arguments);
-    va_end(arguments);
-    longjmp(run.back, 1);
-}
-
-void *allocate(size_t count, size_t size)
-{
-    int k = 0;
-    if (count > MOST_BYTES / size)
-        fail("no memory");
-    while (run.blocks[k])
-        k++;
-    return run.blocks[k] = malloc(count * size ? count * size : 1);
-}
-
-// What the readers call free.
-void release(void *block)
-{
-    for (int k = 0; block && k < MOST_BLOCKS; k++)
-        if (run.blocks[k] == block)
-            run.blocks[k] = NULL;
-    free(block);
-}
-
-// ---- one reading
-// -----------------------------------------------------
+// ---- one reading ---------------------------------------------------
 struct outcome {
     struct points points; // of a reading that did not fail
     char sentence[4096];  // of one that did
@@ -72,8 +29,7 @@ static struct outcome read_with(const char *name,
     }
     close(descriptor);
     memcpy(outcome.sentence, run.sentence, sizeof run.sentence);
-    for (int k = 0; k < MOST_BLOCKS; k++)
-        release(run.blocks[k]);
+    release_all();
     return outcome;
 }
 

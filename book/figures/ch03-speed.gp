@@ -38,9 +38,9 @@ unset ylabel
 set format y ""
 set key at screen 0.52,0.99 center top vertical maxrows 2 samplen 1
 stats table using (of("wraparound_naive", "serial_ns")) nooutput
-plot table using ($0 - 5):(STATS_max / of("wraparound", "serial_ns")) \
+plot table using ($0 - 6):(STATS_max / of("wraparound", "serial_ns")) \
        with points ps 0.9 title "one thread", \
-     "" using ($0 - 5):(STATS_max / of("wraparound", "parallel_ns")) \
+     "" using ($0 - 6):(STATS_max / of("wraparound", "parallel_ns")) \
        with points ps 0.9 title "all processors", \
      $coursework using 1:(315.0 / column("wraparound")) \
        with points pt 6 ps 0.9 lc rgb "black" title "coursework, one", \

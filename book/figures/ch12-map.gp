@@ -20,14 +20,14 @@ set yrange [0.0015:2.5]
 set xlabel "points"
 set grid xtics ytics
 set datafile missing NaN
-set multiplot layout 1,2 margins 0.1,0.98,0.34,0.89 spacing 0.1
+set multiplot layout 1,2 margins 0.14,0.98,0.34,0.89 spacing 0.1
 unset key
-set title "points stay"
+set title "queries alone"
 set ylabel "side of the box"
 plot for [name in names] table using "n":(of("stays", name, column("share"))) \
   with points ps 1.2 notitle
 set key at screen 0.54,0.04 bottom center maxrows 2 Left reverse
-set title "a hundred boxes for each motion"
+set title "a hundred boxes share a build"
 unset ylabel
 plot for [name in names] table using "n":(of("hundred", name, column("share"))) \
   with points ps 1.2 notitle, \

@@ -15,6 +15,7 @@ static const struct version versions[] = {
     {"private", triangle, triangle_reduction},
     {"tiles", tiles, tiles},
     {"half_tiles", triangle_tiles, triangle_tiles},
+    {"critical", triangle_critical, triangle_critical},
 };
 
 int main(int argc, char **argv)
