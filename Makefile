@@ -475,8 +475,8 @@ $(BUILD)/analyzed/%.o: code/%.c $(BUILD)/flags | $(BUILD)/setup/code
 	$(Q)gcc $(CPPFLAGS) -std=c17 -O1 -march=$(MARCH) -ffp-contract=off \
 		-fanalyzer -Wno-analyzer-use-of-uninitialized-value -Werror -c $< -o $@
 
-#: bytes that the readers of points do not expect, for FOR=600 seconds
 FOR ?= 600
+#: bytes that the readers of points and meshes do not expect, FOR=600 seconds each
 fuzz: | $(BUILD)/setup/check
 	tests/check-fuzz $(BUILD)/fuzz $(FOR)
 

@@ -12,7 +12,7 @@ set logscale xy
 set xlabel "points"
 set ylabel "wrong answers in a run"
 set xrange [100:5000]
-set yrange [0.01:1000]
+set yrange [0.01:3000]
 set format y "%g"
 lost(n) = n > 0.01 ? n : 0.01 # none: on the axis
 of(name) = strcol(1)[1:strlen(name)] eq name ? lost(column("mean_wrong")) : NaN
