@@ -1,6 +1,7 @@
 // node live.mjs BUILD: every figure that runs asks for a prediction, runs
 // when it has one, by the keyboard alone; its answers are the naive ones;
-// each of its buttons can be pressed; near, once it is warm, takes no more
+// each of its buttons can be pressed, and keeps the focus; what changes is
+// said by regions that were there before; near, once it is warm, takes no more
 // than four times what portable code takes outside of a browser; and where
 // there is no WebAssembly the picture stands alone. Pictures are left in
 // BUILD/web-check.
@@ -37,28 +38,75 @@ async function until(expression, tries = 100) {
   return false;
 }
 
+// What a screen reader says by itself: the text of regions that were
+// there, empty, when the page was.
+const mark = (name) => page.evaluate(`${frame(name)}.querySelectorAll(
+  "[role=status], [aria-live]").forEach((e) => { e.there = !e.textContent; })`);
+const heard = (name) => page.evaluate(`[...${frame(name)}.querySelectorAll(
+  "[role=status], [aria-live]")].filter((e) => e.there).map((e) =>
+  e.textContent).join(" | ")`);
+const focused = () => page.evaluate(
+  "document.activeElement.textContent || document.activeElement.tagName");
+
 // A prediction, by keys: into the first field, a choice or a number, and
-// Enter.
+// Show. Before, Show says what is missing.
 async function predict(name) {
+  await mark(name);
+  check(await page.evaluate(`!${frame(name)}.querySelector(":invalid, "
+    + "[aria-invalid=true], [required]")`), "not yet wrong " + name,
+    "a field is invalid before anything is entered");
+  const button = `${frame(name)}.querySelector("[type=submit]")`;
+  await page.evaluate(`${button}.focus()`);
+  await page.key("Enter");
+  check(/first/.test(await heard(name)), "asks " + name, "Show says nothing");
   await page.evaluate(`${frame(name)}.querySelector("input").focus()`);
   const kind = await page.evaluate("document.activeElement.type");
   if (kind === "radio") await page.key(" ", "Space");
   else await page.send("Input.insertText", { text: "5" });
+  await page.evaluate(`${button}.focus()`);
   await page.key("Enter");
-  return until(`${frame(name)}.dataset.shown === "yes"`);
+  const shown = await until(`${frame(name)}.dataset.shown === "yes"`);
+  check(await focused() === "Show", "focus " + name, "Show loses it");
+  check(/you said/i.test(await heard(name)), "said " + name,
+    "the answer is in no region that was there: " + await heard(name));
+  return shown;
 }
 
+// The arrows move a cross, and it is said where to; Enter does something,
+// and it is said what. The points are listed in words.
 async function keys(name) {
   const plane = `${frame(name)}.querySelector("svg[tabindex]")`;
   if (!await page.evaluate(`!!${plane}`)) return;
-  const said = `${frame(name)}.querySelector("[role=status]").textContent`;
   await page.evaluate(`${plane}.focus()`);
-  const before = await page.evaluate(said + `+ ${plane}.innerHTML`);
+  const before = await page.evaluate(`${plane}.innerHTML`);
+  const places = new Set([await heard(name)]);
   for (let i = 0; i < 8; i++) await page.key("ArrowRight");
+  places.add(await heard(name));
   for (let i = 0; i < 6; i++) await page.key("ArrowUp");
+  places.add(await heard(name));
   await page.key("Enter");
-  check(await page.evaluate(said + `+ ${plane}.innerHTML`) !== before,
+  places.add(await heard(name));
+  check(places.size === 4, "said of keys " + name, [...places].join("; "));
+  check(await page.evaluate(`${plane}.innerHTML`) !== before,
     "keys " + name, "nothing changes");
+  check(await page.evaluate(`${frame(name)}.querySelectorAll("details li")
+    .length`) > 1, "listed " + name, "the points are not told in words");
+}
+
+// A button that cannot be pressed any more keeps the focus.
+async function buttons(name) {
+  const all = `[...${frame(name)}.querySelectorAll(".panel button")].filter(
+    (b) => !/Save/.test(b.textContent))`;
+  const count = await page.evaluate(all + ".length"), lost = [];
+  for (let i = 0; i < count; i++) {
+    await page.evaluate(`${all}[${i}].focus()`);
+    for (let k = 0; k < 3; k++) await page.key("Enter");
+    if (!await page.evaluate(`document.activeElement === ${all}[${i}]`)) {
+      lost.push(await page.evaluate(`${all}[${i}].textContent`));
+    }
+  }
+  check(lost.length === 0, "buttons " + name, lost.join(", ")
+    + " cannot be focused or lose the focus");
 }
 
 async function mouse(name) {
@@ -89,8 +137,7 @@ for (const name of names) {
   writeFileSync(`${out}/${name}.png`, await page.picture());
   await keys(name);
   await mouse(name);
-  await page.evaluate(`${frame(name)}.querySelectorAll(".panel button")
-    .forEach((b) => { if (!/Save/.test(b.textContent)) b.click(); })`);
+  await buttons(name);
   await page.evaluate(`${frame(name)}.querySelectorAll("select").forEach((s) =>
     { s.selectedIndex = 1; s.dispatchEvent(new Event("change")); })`);
   check(page.complaints.length === 0, "quiet " + name,
@@ -101,6 +148,15 @@ for (const name of names) {
     v.id + " " + v.nodes[0].html.slice(0, 150)).join("; "))`);
   check(found === "", "accessible " + name, found);
 }
+
+// ---- what is no list of cells ---------------------------------------------
+await page.go(`file://${web}/ch04.html`);
+await predict("ch04-count-scan-place");
+await page.evaluate(`(() => { const i = ${frame("ch04-count-scan-place")}
+  .querySelector(".panel input"); i.value = "9 1";
+  i.dispatchEvent(new Event("change")); })()`);
+check(/“9 1”/.test(await heard("ch04-count-scan-place")),
+  "wrong cells are answered", await heard("ch04-count-scan-place"));
 
 // ---- near, with files ----------------------------------------------------
 await page.go(`file://${web}/ch01.html`);

@@ -14,14 +14,24 @@ live("ch01-arrows", {
     var c = stage.c, geometry = 1, points = c.generate("uniform", 12, 3);
     var p = draw.plane(stage, "The unit square: click to put a point, click "
       + "a point to remove it; or move the cross with the arrow keys and "
-      + "press Enter.", act);
+      + "press Enter.", act, function (q) {
+        return draw.place(q) + (hit(q) < 0 ? "" : ", where point " + hit(q)
+          + " is");
+      });
+    var list = draw.list(stage, "The points in words");
+
+    function hit(q) {
+      return points.findIndex(function (r) {
+        return Math.hypot(r[0] - q[0], r[1] - q[1]) < 0.02;
+      });
+    }
 
     function act(x, y) {
-      var hit = points.findIndex(function (q) {
-        return Math.hypot(q[0] - x, q[1] - y) < 0.02;
-      });
-      if (hit >= 0) points.splice(hit, 1); else points.push([x, y]);
+      var i = hit([x, y]);
+      if (i >= 0) points.splice(i, 1); else points.push([x, y]);
       redraw();
+      return i >= 0 ? "Point " + i + " removed." : "Point "
+        + (points.length - 1) + " put at " + draw.place([x, y]) + ".";
     }
 
     // The image of b that is meant: along each axis straight, or around.
@@ -53,6 +63,10 @@ live("ch01-arrows", {
       });
       points.forEach(function (q) { p.dot(q, "dot", 4); });
       p.cross();
+      list(points.map(function (q, i) {
+        return "Point " + i + " at " + draw.place(q) + (a ? ": nearest "
+          + a.nearest[i] + ", furthest " + a.furthest[i] : "");
+      }));
       stage.say(a ? points.length + " points; " + mutual + " of them are the "
         + "nearest of their own nearest, " + new Set(a.furthest).size
         + " are the furthest of any." : "Two points are needed.");

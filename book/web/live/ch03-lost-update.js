@@ -54,8 +54,8 @@ live("ch03-lost-update", {
             (k < s.at[t] ? "✓ " : k === s.at[t] ? "→ " : "   ") + text);
         });
       });
-      a.disabled = s.at[0] === 3;
-      b.disabled = s.at[1] === 3;
+      stage.enable(a, s.at[0] < 3);
+      stage.enable(b, s.at[1] < 3);
       stage.say(said);
     }
 

@@ -12,7 +12,8 @@ live("ch04-count-scan-place", {
     var p = draw.picture(stage, 480, 280, "The cells of eight points, the "
       + "counts and starts of four cells, and the places, at each step.");
     var input = live.element("input", { value: cell.join(" "), size: 17 });
-    stage.panel.append(live.element("label", {}, ["Cells (0 to 3): ", input]));
+    stage.panel.append(live.element("label", {}, ["Cells (one to eight, each 0 "
+      + "to 3): ", input]));
     var walk = draw.steps(stage, function () { return states.length - 1; },
       show);
 
@@ -34,7 +35,8 @@ live("ch04-count-scan-place", {
       var at = c.text(new Uint8Array(new Uint32Array(count).buffer));
       c.scan_counts(at, CELLS);
       count = Array.from(c.u32(at, CELLS));
-      keep("Scan: each cell begins where those before it end.");
+      keep("Scan: each cell begins where those before it end, at "
+        + count.join(", ") + ".");
       cell.forEach(function (k, i) {
         place[count[k]] = i;
         count[k]++;
@@ -42,6 +44,8 @@ live("ch04-count-scan-place", {
           + (count[k] - 1) + "; the next of its cell to " + count[k] + ".", i,
           k, count[k] - 1);
       });
+      states[states.length - 1].said += " By cell, the points are "
+        + place.join(", ") + ".";
     }
 
     function lit(n, k) {
@@ -63,9 +67,16 @@ live("ch04-count-scan-place", {
     }
 
     input.addEventListener("change", function () {
-      var read = (input.value.match(/[0-3]/g) || []).map(Number).slice(0, 8);
-      if (read.length) cell = read;
-      input.value = cell.join(" ");
+      var read = input.value.split(/[\s,]+/).filter(Boolean);
+      var good = read.length >= 1 && read.length <= 8 && read.every(
+        function (k) { return /^[0-3]$/.test(k); });
+      input.setAttribute("aria-invalid", String(!good));
+      if (!good) {
+        stage.say("These are not one to eight cells, each 0, 1, 2 or 3: “"
+          + input.value + "”. Shown are still " + cell.join(" ") + ".");
+        return;
+      }
+      cell = read.map(Number);
       run();
       walk.go(0);
     });

@@ -10,7 +10,8 @@ live("ch07-search", {
     var N = 144, c = stage.c, points, self = 0, trace = [], seed = 7;
     var p = draw.plane(stage, "144 points in a grid of cells. Click, or move "
       + "the cross with the arrow keys and press Enter, to choose a query.",
-      function (x, y) { choose(x, y); });
+      choose);
+    var list = draw.list(stage, "The points in words");
 
     function prepare() {
       points = c.generate("uniform", N, seed);
@@ -18,6 +19,9 @@ live("ch07-search", {
       c.sort_cells(1);
       grid = { m: c.columns(), x: c.f64(c.column_border(), c.columns() + 1),
         y: c.f64(c.row_border(), c.rows() + 1) };
+      list(points.map(function (q, i) {
+        return "Point " + i + " at " + draw.place(q);
+      }));
     }
 
     var grid;
@@ -29,6 +33,8 @@ live("ch07-search", {
       });
       trace = search(self);
       walk.go(0);
+      return "The query is point " + self + ", at " + draw.place(points[self])
+        + ".";
     }
 
     function search(i) {
@@ -72,19 +78,21 @@ live("ch07-search", {
         [grid.x[grid.m], y], "grid"); });
       points.forEach(function (q) { p.dot(q, "dot", 3); });
       p.dot(points[self], "query", 6);
-      var now = k ? trace[k - 1] : null, q = points[self];
+      var now = k ? trace[k - 1] : null, q = points[self], d;
       if (now && now.nearest !== null) {
-        var b = points[now.nearest], d = Math.hypot(b[0] - q[0], b[1] - q[1]);
+        var b = points[now.nearest];
+        d = Math.hypot(b[0] - q[0], b[1] - q[1]);
         p.segment(q, b, "stroke");
         if (k >= first) p.area([q[0] - d, q[1] - d], [q[0] + d, q[1] + d], "ring");
       }
       p.cross();
-      stage.say(k === 0 ? "The search of the marked point, in "
+      stage.say(k === 0 ? "The search of the marked point, " + self + ", in "
         + trace.length + " cells." : "Cell " + k + " of " + trace.length
-        + ", layer " + layer(now) + ", phase " + (k <= first ? "one" : "two")
-        + ": " + now.compared + " compared there, " + sum + " in all; "
+        + ", in column " + now.column + " and row " + now.row + ", layer "
+        + layer(now) + ", phase " + (k <= first ? "one" : "two") + ": "
+        + now.compared + " compared there, " + sum + " in all; "
         + (now.nearest === null ? "no point yet." : "the nearest so far is "
-        + "point " + now.nearest + "."));
+        + "point " + now.nearest + ", " + d.toFixed(3) + " away."));
     }
 
     var walk = draw.steps(stage, function () { return trace.length; }, show);

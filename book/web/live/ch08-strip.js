@@ -70,6 +70,10 @@ live("ch08-strip", {
         }
       });
       var sum = tally(all);
+      p.tell("Lanes with work, step by step: " + all.map(function (list, s) {
+        var one = list.filter(function (t) { return tasks[t] > s; }).length;
+        return one + " of " + Math.ceil(list.length / LANES) * LANES;
+      }).join(", ") + ".");
       stage.say("Step " + k + " of " + last + ": " + sum.work + " of "
         + sum.lanes + " lanes had work" + (sum.lanes ? ", "
         + Math.round(100 * sum.work / sum.lanes) + "%" : "") + ".");

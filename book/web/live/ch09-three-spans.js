@@ -73,6 +73,13 @@ live("ch09-three-spans", {
       });
       bar.add("rect", { x: 10 + s * X, y: 8, width: b.width * X, height: 26,
         "class": "lit" });
+      p.tell(b.answers.map(function (a) {
+        return "Query " + a.query + (a.found < N ? ", nearest " + a.found : "")
+          + (a.sure ? ": sure." : ": not sure.");
+      }).join(" "));
+      bar.tell(b.spans.map(function (span) {
+        return "Places " + span[0] + " to " + (span[1] - 1) + ".";
+      }).join(" "));
       var shared = b.spans.reduce(function (sum, span) {
         return sum + span[1] - span[0];
       }, 0);
@@ -85,6 +92,7 @@ live("ch09-three-spans", {
 
     prepare(4);
     show(96);
+    stage.say(stage.status.textContent + " You said " + stage.predicted + ".");
 
     return { check: function () {
       c.by("naive");

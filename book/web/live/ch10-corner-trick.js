@@ -16,6 +16,7 @@ live("ch10-corner-trick", {
     var p = draw.plane(stage, "60 points in a grid of cells. Click, or arrow "
       + "keys and Enter, to choose the query, or to put and remove points.",
       act);
+    var list = draw.list(stage, "The points in words");
 
     function nearest_to(x, y) {
       var best = 0;
@@ -28,13 +29,20 @@ live("ch10-corner-trick", {
 
     function act(x, y) {
       var i = nearest_to(x, y), d = Math.hypot(points[i][0] - x,
-        points[i][1] - y);
+        points[i][1] - y), words = "The query is point " + i + ", at "
+        + draw.place(points[i]) + ".";
       if (!put) query = i;
       else if (d < 0.02 && points.length > 3) {
         points.splice(i, 1);
         if (query >= i && query > 0) query--;
-      } else points.push([x, y]);
+        words = "Point " + i + " removed.";
+      } else {
+        points.push([x, y]);
+        words = "Point " + (points.length - 1) + " put at "
+          + draw.place([x, y]) + ".";
+      }
       redraw();
+      return words;
     }
 
     function ask() {
@@ -85,9 +93,20 @@ live("ch10-corner-trick", {
       p.dot(q, "query", 6);
       p.cross();
       var good = a.found2[query] === a.right2[query];
+      list(points.map(function (b, i) {
+        return "Point " + i + " at " + draw.place(b) + (i === query
+          ? ": the query" : "") + (i === a.right[query] ? ": the furthest" : "")
+          + (i === a.found[query] ? ": the trick's answer" : "");
+      }));
+      function far(i, square) {
+        return "point " + i + ", " + Math.sqrt(square).toFixed(3) + " away";
+      }
       stage.say("The trick looks into " + a.cells.length + " of "
-        + a.columns * a.rows + " cells, and is " + (good ? "right here"
-        : "wrong here: the orange point is further") + "; of all " + a.n
+        + a.columns * a.rows + " cells, and is " + (good ? "right here: "
+        + far(a.right[query], a.right2[query]) : "wrong here: "
+        + (a.found[query] < a.n ? "it finds " + far(a.found[query],
+        a.found2[query]) : "it finds none") + ", but the orange line leads to "
+        + far(a.right[query], a.right2[query])) + "; of all " + a.n
         + " queries it is wrong for " + wrong(a) + ".");
     }
 

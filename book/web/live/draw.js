@@ -1,6 +1,6 @@
 // What the figures that run are drawn with: SVG in the page's colors, a
 // plane on which points are put with the mouse or with the keys, rows
-// of boxes, and a walk through steps.
+// of boxes, a walk through steps, and all of it in words.
 "use strict";
 
 var draw = (function () {
@@ -15,14 +15,22 @@ var draw = (function () {
     return e;
   }
 
-  // A picture of this size; say() tells in words what it shows.
+  // A picture of this size. Its name is what it shows at all, and what
+  // it shows now, which tell() adds in words.
   function picture(stage, width, height, label) {
+    var now = label;
     var svg = shape("svg", { viewBox: "0 0 " + width + " " + height,
       role: "img", "aria-label": label, width: width, height: height });
     stage.box.append(svg);
     return {
       svg: svg,
-      clear: function () { svg.replaceChildren(); },
+      clear: function () {
+        svg.replaceChildren();
+        svg.setAttribute("aria-label", now = label);
+      },
+      tell: function (words) {
+        svg.setAttribute("aria-label", now += " " + words);
+      },
       add: function (name, attributes, text) {
         var e = shape(name, attributes, text);
         svg.append(e);
@@ -35,12 +43,30 @@ var draw = (function () {
     };
   }
 
+  // ---- in words -----------------------------------------------------------
+  function place(q) {
+    return "x " + q[0].toFixed(2) + ", y " + q[1].toFixed(2);
+  }
+
+  // A list that unfolds below the figure; it gets new lines by a call.
+  function list(stage, title) {
+    var items = live.element("ul");
+    stage.status.after(live.element("details", {}, [
+      live.element("summary", {}, title), items]));
+    return function (lines) {
+      items.replaceChildren.apply(items, lines.map(function (text) {
+        return live.element("li", {}, text);
+      }));
+    };
+  }
+
   // ---- a plane ------------------------------------------------------------
   // The unit square, y upward. act(x, y) is called for a click, and for
-  // Enter or the space bar where the cross is, which the arrows move.
+  // Enter or the space bar where the cross is, which the arrows move. It
+  // returns in words what it did; where(q) has words for a place.
   var SIDE = 440, MARGIN = 10;
 
-  function plane(stage, label, act) {
+  function plane(stage, label, act, where) {
     var p = picture(stage, SIDE + 2 * MARGIN, SIDE + 2 * MARGIN, label);
     var cross = [0.5, 0.5], mark = null;
     p.at = function (q) {
@@ -73,9 +99,12 @@ var draw = (function () {
       mark = p.add("path", { d: "M" + (at[0] - 8) + " " + at[1] + "h16M" +
         at[0] + " " + (at[1] - 8) + "v16", "class": "cross" });
     };
-    if (act) keys(p, cross, act, function () {
+    if (act) keys(p, cross, function (x, y) {
+      stage.tell(act(x, y));
+    }, function () {
       if (mark) mark.remove();
       p.cross();
+      stage.tell("Cross at " + (where || place)(cross) + ".");
     });
     return p;
   }
@@ -86,6 +115,7 @@ var draw = (function () {
   function keys(p, cross, act, moved) {
     p.svg.setAttribute("tabindex", "0");
     p.svg.setAttribute("role", "application");
+    p.svg.addEventListener("focus", moved);
     p.svg.classList.add("asks");
     p.svg.addEventListener("click", function (event) {
       var r = p.svg.getBoundingClientRect();
@@ -109,10 +139,14 @@ var draw = (function () {
 
   // ---- rows of boxes ---------------------------------------------------------
   // Values side by side with their indices above; kinds[i] colors one.
+  // The picture's name gets them, too.
   var BOX = 34;
 
   function boxes(p, x, y, values, options) {
     var o = options || {};
+    p.tell((o.label ? o.label + ": " : "") + values.map(function (v) {
+      return v === null ? "empty" : v;
+    }).join(", ") + ".");
     if (o.label) {
       p.add("text", { x: x - 8, y: y + BOX * 0.64, "class": "row" }, o.label);
     }
@@ -133,8 +167,9 @@ var draw = (function () {
     var now = 0;
     function go(k) {
       now = Math.max(0, Math.min(last(), k));
-      back.disabled = now === 0;
-      on.disabled = end.disabled = now === last();
+      stage.enable(back, now > 0);
+      stage.enable(on, now < last());
+      stage.enable(end, now < last());
       to(now);
     }
     var back = stage.button("Back", function () { go(now - 1); });
@@ -144,5 +179,5 @@ var draw = (function () {
   }
 
   return { picture: picture, plane: plane, boxes: boxes, steps: steps,
-    BOX: BOX };
+    list: list, place: place, BOX: BOX };
 })();

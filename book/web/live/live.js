@@ -8,6 +8,10 @@
 // shows itself when there is one; because says what is right. show
 // returns { check }, which computes the answer in another way and tells
 // whether both are equal. Without WebAssembly the picture stands alone.
+//
+// What changes is said: the answer to the prediction, the status, and
+// what a key did are live regions, there before anything is said. What
+// cannot be pressed any more keeps the focus.
 "use strict";
 
 var live = (function () {
@@ -112,13 +116,26 @@ var live = (function () {
   }
 
   // ---- the frame -----------------------------------------------------------
+  function enable(button, able) {
+    button.setAttribute("aria-disabled", String(!able));
+  }
+
+  // The same words again are said again only if they differ.
+  function say(region, text) {
+    var again = text && region.textContent === text;
+    region.textContent = again ? text + "\u00a0" : text;
+  }
+
   function controls(stage) {
     stage.button = function (label, act) {
       var b = element("button", { type: "button" }, label);
-      b.addEventListener("click", act);
+      b.addEventListener("click", function () {
+        if (b.getAttribute("aria-disabled") !== "true") act();
+      });
       stage.panel.append(b);
       return b;
     };
+    stage.enable = enable;
     stage.choice = function (label, names, act) {
       var select = element("select", {}, names.map(function (n) {
         return element("option", {}, n);
@@ -130,45 +147,52 @@ var live = (function () {
       return select;
     };
     stage.say = function (text) { stage.status.textContent = text; };
+    stage.tell = function (text) { say(stage.told, text); };
     return stage;
   }
 
-  // The prediction: one of some answers, or a number.
-  function prediction(figure, name, predicted) {
-    var form = element("form", { "class": "predict" });
+  // The prediction: one of some answers, or a number. What is wrong with
+  // it is said in the answer's place.
+  function prediction(figure, name, answer, predicted) {
+    var form = element("form", { "class": "predict", novalidate: "" });
     var set = element("fieldset", {}, element("legend", {}, figure.ask));
     if (figure.choices) {
       figure.choices.forEach(function (text, i) {
         set.append(element("label", {}, [element("input", { type: "radio",
-          name: "predict-" + name, value: i, required: "" }), " " + text]));
+          name: "predict-" + name, value: i }), " " + text]));
       });
     } else {
       set.append(element("label", {}, ["Your number: ", element("input",
-        { type: "number", step: "any", required: "" })]));
+        { type: "text", inputmode: "decimal", autocomplete: "off" })]));
     }
-    form.append(set, element("button", { type: "submit" }, "Show"));
+    var button = element("button", { type: "submit" }, "Show");
+    form.append(set, button);
     form.addEventListener("submit", function (event) {
       event.preventDefault();
-      var chosen = form.querySelector("input:checked, input[type=number]");
-      predicted(Number(chosen.value));
-      form.querySelectorAll("input, button").forEach(function (e) {
-        e.disabled = true;
+      if (button.getAttribute("aria-disabled") === "true") return;
+      var chosen = form.querySelector("input:checked, input[type=text]");
+      if (!chosen) return say(answer, "Choose one of the answers first.");
+      var text = chosen.value.trim(), wrong = text === "" || isNaN(text);
+      if (!figure.choices) chosen.setAttribute("aria-invalid", String(wrong));
+      if (wrong) {
+        return say(answer, text === "" ? "Give a number first."
+          : "“" + text + "” is not a number, such as 12 or 0.5.");
+      }
+      enable(button, false);
+      form.querySelectorAll("input").forEach(function (e) {
+        e.readOnly = true;
+        e.disabled = e !== chosen;
       });
+      predicted(Number(text));
     });
     return form;
   }
 
-  function show(figure, name, frame, value) {
-    var stage = controls({ predicted: value,
-      box: element("div", { "class": "stage" }),
-      panel: element("div", { "class": "panel" }),
-      status: element("p", { role: "status" }) });
-    if (figure.because) {
-      frame.append(element("p", { "class": "because" }, "You said "
-        + (figure.choices ? "“" + figure.choices[value] + "”" : value) + ". "
-        + figure.because));
-    }
-    frame.append(stage.box, stage.panel, stage.status);
+  function show(figure, name, frame, stage) {
+    var value = stage.predicted;
+    say(stage.answer, figure.because ? "You said " + (figure.choices
+      ? "“" + figure.choices[value] + "”" : value) + ". " + figure.because : "");
+    stage.answer.after(stage.box, stage.panel);
     stage.say("Loading the book's C.");
     return module().then(function (m) {
       stage.c = instance(m);
@@ -188,9 +212,15 @@ var live = (function () {
       "Try it: " + figure.title);
     var frame = element("div", { "class": "live", role: "group",
       "aria-labelledby": "live-" + name }, title);
-    frame.append(prediction(figure, name, function (value) {
-      show(figure, name, frame, value);
-    }));
+    var stage = controls({ box: element("div", { "class": "stage" }),
+      panel: element("div", { "class": "panel" }),
+      answer: element("p", { "class": "because", "aria-live": "polite" }),
+      status: element("p", { role: "status" }),
+      told: element("p", { "class": "unseen", "aria-live": "polite" }) });
+    frame.append(prediction(figure, name, stage.answer, function (value) {
+      stage.predicted = value;
+      show(figure, name, frame, stage);
+    }), stage.answer, stage.status, stage.told);
     picture.after(frame);
   }
 
