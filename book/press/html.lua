@@ -7,11 +7,12 @@ local special = { ["@"] = "&#64;", ["&"] = "&amp;", ["<"] = "&lt;",
 
 function html.text(s) return (s:gsub('[@&<>"]', special)) end
 
--- HTML as plain words.
+-- HTML as plain words, without what only leads to a claim's check.
 local entities = { amp = "&", lt = "<", gt = ">", quot = '"' }
 
 function html.plain(s)
   return (s:gsub("<annotation.-</annotation>", "")
+    :gsub('<a class="checked".-</a>', "")
     :gsub('<svg.-</svg>', ""):gsub("<[^>]*>", "")
     :gsub("&(%a+);", entities):gsub("&#(%d+);", function(n)
       return utf8.char(tonumber(n)) end))

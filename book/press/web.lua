@@ -89,14 +89,20 @@ function edition.reported(content, by)
   return content
 end
 
+-- A claim ends with a link to what it was checked with, which is seen
+-- when the claim is pointed at, or the link has the focus.
 function edition.claim(content, condition, holds, cells)
   if context.in_title then return content end
-  content:insert(1, raw('<span class="claim" tabindex="0" '
-    .. 'title="%s: %s">', holds and "checked" or "does not hold",
-    (rests_on(condition or "?", cells))))
+  local source, href = rests_on(condition or "?", cells)
+  content:insert(1, raw('<span class="claim">'))
   if holds == false then
     content:insert(raw(' <em class="false">(on this machine it does not '
       .. 'hold)</em>'))
+  end
+  if href then
+    content:insert(raw('<a class="checked" href="%s" title="%s"><span '
+      .. 'class="unseen">%s</span></a>', href, source, holds and "checked"
+      or "does not hold"))
   end
   content:insert(raw("</span>"))
   return content
@@ -192,14 +198,19 @@ function edition.header(h)
   return pandoc.Header(level, h.content, pandoc.Attr(id))
 end
 
+-- The first column names the rows. What has a caption can be moved by
+-- keys, and says which it is.
 function edition.table(t)
-  local tbl, label = tables.aligned(t.table), ""
+  local tbl, attributes = tables.aligned(t.table), ""
+  for _, part in ipairs(tbl.bodies) do part.row_head_columns = 1 end
   if t.caption then
-    label = ('id="%s" '):format(t.label or "")
+    local text = number("tab", t.label)
+    attributes = (' id="%s" tabindex="0" role="group" aria-label="Table %s"')
+      :format(t.label or "", text)
     tbl.caption = { long = { pandoc.Plain(captioned(t.caption, "Table",
-      number("tab", t.label))) } }
+      text)) } }
   end
-  return pandoc.List { raw_block('<div class="table" %stabindex="0">', label),
+  return pandoc.List { raw_block('<div class="table"%s>', attributes),
     tbl, raw_block("</div>") }
 end
 

@@ -88,8 +88,8 @@ local function list_of_exercises(chapters)
   local rows = {}
   for _, chapter in ipairs(chapters) do
     for _, e in ipairs(chapter.exercises) do
-      table.insert(rows, ('<tr><td class="number">%s</td><td><a href="#%s">'
-        .. '%s</a></td><td>%s</td><td><span role="img" aria-label="%d of 5 '
+      table.insert(rows, ('<tr><th scope="row" class="number">%s</th><td><a '
+        .. 'href="#%s">%s</a></td><td>%s</td><td><span role="img" aria-label="%d of 5 '
         .. 'stars">%s</span></td><td class="right">%s</td><td class="right">'
         .. '%d</td><td>%s</td></tr>'):format(e.number, e.label, e.title,
         e.trains, e.stars, ("★"):rep(e.stars), e.time:gsub("~", "\u{a0}"),
@@ -97,7 +97,8 @@ local function list_of_exercises(chapters)
     end
   end
   return page("exercises", words("List of exercises"), "", "list",
-    pandoc.List { raw_block('<div class="table" tabindex="0"><table><thead>'
+    pandoc.List { raw_block('<div class="table" tabindex="0" role="group" '
+    .. 'aria-label="List of exercises"><table><thead>'
     .. "<tr><th>no.</th><th>what to do</th><th>what it trains</th>"
     .. "<th>difficulty</th><th>time</th><th>points</th><th>kind</th></tr>"
     .. "</thead><tbody>%s</tbody></table></div>", table.concat(rows, "\n")) })
@@ -148,8 +149,9 @@ local function table_of(path)
         local id = columns == "name" and not seen[slug] and ' id="row-'
           .. slug .. '"' or ""
         seen[slug] = true
-        table.insert(rows, ("<tr%s><td>%s</td></tr>"):format(id,
-          table.concat(cells, "</td><td>")))
+        table.insert(rows, ('<tr%s><th scope="row">%s</th>%s</tr>'):format(
+          id, table.remove(cells, 1), #cells == 0 and "" or "<td>"
+          .. table.concat(cells, "</td><td>") .. "</td>"))
       else
         columns = cells[1]
         table.insert(rows, "<thead><tr><th>" .. table.concat(cells,
@@ -157,9 +159,10 @@ local function table_of(path)
       end
     end
   end
-  return ('<p class="head">%s</p><div class="table" tabindex="0"><table '
-    .. 'class="data">%s</tbody></table></div>'):format(
-    table.concat(head, "<br>"), table.concat(rows, "\n"))
+  return ('<p class="head">%s</p><div class="table" tabindex="0" '
+    .. 'role="group" aria-label="%s"><table class="data">%s</tbody></table>'
+    .. '</div>'):format(table.concat(head, "<br>"), html.text(path),
+    table.concat(rows, "\n"))
 end
 
 local function file(path)

@@ -70,9 +70,49 @@ local function low(math)
   return (math:gsub('stretchy="true"', 'stretchy="false"'))
 end
 
+-- A formula of a line in words that a name can hold, from its TeX.
+local signs = { cdot = "·", times = "×", le = "≤", ge = "≥", ll = "≪",
+  sqrt = "√", ell = "ℓ", alpha = "α", beta = "β", lambda = "λ", mu = "µ",
+  pi = "π", varepsilon = "ε", epsilon = "ε", infty = "∞", approx = "≈",
+  log = "log ", min = "min ", max = "max ", ldots = "…", dots = "…" }
+
+local function spoken(math)
+  local tex = math:match("<annotation[^>]*>(.-)</annotation>") or html.plain(math)
+  return (tex:gsub("\\t?frac%s*(%w)%s*(%w)", "%1/%2")
+    :gsub("\\t?frac(%b{})%s*(%b{})", function(a, b)
+      return a:sub(2, -2) .. "/" .. b:sub(2, -2) end)
+    :gsub("\\mathrm", ""):gsub("\\[,;! ]", " ")
+    :gsub("\\(%a+)%s*", function(name) return signs[name] or name .. " " end)
+    :gsub("[{}]", ""):gsub("%s+", " "))
+end
+
+-- What a caption's formulas say does not get into its table's name by
+-- itself.
+local function named(caption)
+  if not caption:find("<math") then return nil end
+  local words = html.plain(caption:gsub("<math.-</math>", spoken))
+    :gsub('[&<>"]', { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;",
+      ['"'] = "&quot;" }):gsub("%s+", " ")
+  return ('<table aria-label="%s">\n<caption>%s</caption>'):format(words,
+    caption)
+end
+
+-- A cell of the first column is the head of its row; an empty one is no
+-- head at all.
+local function with_heads(tbl)
+  return (tbl:gsub("<th([^>]*)></th>", "<td%1></td>")
+    :gsub("(<tbody.*)", function(body)
+      return (body:gsub("<th([^>]*)>", function(attributes)
+        return not attributes:find("scope=") and '<th scope="row"'
+          .. attributes .. ">" or nil
+      end))
+    end)
+    :gsub("^<table>%s*<caption>(.-)</caption>", named))
+end
+
 local function written(blocks)
   return (pandoc.write(pandoc.Pandoc(blocks), "html", options)
-    :gsub("<math.-</math>", low))
+    :gsub("<table>.-</table>", with_heads):gsub("<math.-</math>", low))
 end
 
 local function read_pages(doc)

@@ -1,7 +1,8 @@
 // node browser.mjs BUILD: opens the pages in Chromium as files, without a
 // server: nothing is complained about, nothing asked of another host,
 // nothing wider than a window, nothing that axe finds serious, by day and
-// by night; with scripts and without. Pictures of three widths and what
+// by night; rows with heads, names with their formulas, no silent stops;
+// with scripts and without. Pictures of three widths and what
 // a screen reader is told are left in BUILD/web-check.
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
@@ -39,6 +40,32 @@ async function accessible(name, scheme) {
   check(found.length === 0, `accessible ${name} ${scheme}`, found.join("; "));
 }
 
+// What axe lets pass: the first cell of a row is its head, a table's name
+// has its caption's formulas, and whatever the keys stop at has a name and
+// a role; code has its text.
+async function told(name) {
+  const found = await page.evaluate(`(() => {
+    const faults = [], all = (where, s) => [...where.querySelectorAll(s)];
+    for (const row of all(document, ".table tbody tr")) {
+      const cell = row.cells[0];
+      if (cell.textContent && cell.scope !== "row") faults.push("no head: "
+        + row.textContent.slice(0, 60));
+    }
+    for (const caption of all(document, "caption")) {
+      const label = caption.parentNode.getAttribute("aria-label") || "";
+      for (const part of all(caption, "math mi, math mn")) {
+        if (!label.includes(part.textContent)) faults.push("the name lacks "
+          + part.textContent + ": " + caption.textContent.slice(0, 60));
+      }
+    }
+    for (const e of all(document, "main [tabindex]:not(pre)")) {
+      if (!e.getAttribute("role") || !e.getAttribute("aria-label")) faults
+        .push("a silent stop: " + e.outerHTML.slice(0, 80));
+    }
+    return faults; })()`);
+  check(found.length === 0, "told " + name, found.slice(0, 3).join("; "));
+}
+
 for (const name of [...text, ...sources]) {
   await page.size(1400);
   await page.go(url(name));
@@ -47,6 +74,7 @@ for (const name of [...text, ...sources]) {
   const others = page.requests.filter((r) => !/^(file|data|blob):/.test(r));
   check(others.length === 0, "alone " + name, others.join(", "));
   for (const scheme of ["light", "dark"]) await accessible(name, scheme);
+  await told(name);
   await page.scheme("light");
   for (const width of widths) {
     await page.size(width);
@@ -108,6 +136,28 @@ const unnamed = lines.filter((l) => /^\s*image$/.test(l)).length;
 check(unnamed === 0, "every picture is told", unnamed + " are not");
 check(lines.some((l) => l.includes("main")) && lines.some((l) =>
   l.includes("navigation: Book")), "landmarks");
+
+// Where a number or a claim comes from is said once: not in the name.
+const within = (s) => nodes.filter((n) => !n.ignored && s(n.role?.value));
+const generic = within((r) => r === "generic").filter((n) => n.name?.value);
+check(generic.length === 0, "no names without a role",
+  generic.slice(0, 3).map((n) => n.name.value).join("; "));
+const unheaded = within((r) => r === "table").filter((n) => !(function has(m) {
+  return m.role?.value === "rowheader"
+    || (m.childIds || []).some((id) => byId.has(id) && has(byId.get(id)));
+})(n));
+check(unheaded.length === 0, "row headers", unheaded.length + " tables");
+for (const kind of [".value", ".claim > a"]) {
+  const { result } = await page.send("Runtime.evaluate", { expression:
+    `document.querySelector("${kind}").focus({ focusVisible: true });
+    document.activeElement` });
+  const of = await page.send("Accessibility.getPartialAXTree",
+    { objectId: result.objectId, fetchRelatives: false });
+  const { name, description } = of.nodes[0];
+  check(!name.value.includes("book/data")
+    && description?.value.includes("book/data"), "said once " + kind,
+    `the name is "${name.value}", the description "${description?.value}"`);
+}
 
 await browser.close();
 process.exit(failures ? 1 : 0);
