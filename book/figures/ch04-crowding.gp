@@ -1,9 +1,14 @@
 # Distances for each point against the number of points: cells that hold
 # two points, and cells that hold as many as there are cells.
-# alt: Distances a point over the number of points, both axes
-# logarithmic. With two points in a cell the curve is level; with as
-# many points in a cell as there are cells it rises along a straight
-# line.
+# alt: Distances a point over the number of points, from 100 to 409,600
+# in seven sizes, each four times the one before; both axes logarithmic.
+# With two points in a cell the curve begins at thirteen, bends upward
+# to seventeen at the second size, and is level from then on, close
+# below a thin level line at 18, which stands for nine full cells. With
+# as many points in a cell as there are cells it begins at 58 and rises,
+# doubling at each size in the end, to more than five thousand. It stays
+# below a second thin line, 9 √n, again nine full cells, and comes ever
+# closer to it.
 # demo: plot
 height = 2.6
 load "book/figures/style.gp"

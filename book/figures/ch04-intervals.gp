@@ -1,8 +1,12 @@
 # A query with ten results, put to three structures, against the number
 # of numbers; nanoseconds with quartiles.
-# alt: Nanoseconds a query over the number of numbers, both axes
-# logarithmic. Looking at all rises in a straight line; the sorted array
-# and the bins stay far below it.
+# alt: Nanoseconds a query over the number of numbers, at ten thousand,
+# a hundred thousand and a million, both axes logarithmic. Looking at
+# all rises in a straight line, tenfold for ten times as many numbers.
+# The sorted array and the bins rise slowly and do not cross: the bins
+# are below at each size, clearly at the first two and a little at the
+# last. At the left end both are a hundred times and more below looking
+# at all, at the right end thousands of times.
 height = 2.5
 load "book/figures/style.gp"
 table = data . "/ch04-intervals.tsv"

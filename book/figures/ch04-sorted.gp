@@ -1,8 +1,14 @@
 # Points in their cells, and the arrays that the cell sort makes of them:
 # where each cell begins, and the points by cell.
-# alt: A map of twelve cells with twenty-four numbered points; below it
-# an array of thirteen places, where the twelve cells begin and the last
-# one ends, with lines into an array that holds the points cell by cell.
+# alt: A map of twelve cells, four columns and three rows from the lower
+# left corner, with twenty-four numbered points; below it an array of
+# thirteen starts, with lines into an array of twenty-four places that
+# holds the points cell by cell. The starts of the cells 0 to 11 are 0,
+# 2, 5, 5, 7, 11, 12, 16, 19, 21, 21 and 22, and the last cell ends at
+# 24. The points are 8, 13 in cell 0; 6, 15, 22 in cell 1; none in cell
+# 2; 10, 12 in cell 3; 2, 4, 19, 21 in cell 4; 11 in cell 5; 0, 1, 7, 17
+# in cell 6; 3, 9, 20 in cell 7; 16, 18 in cell 8; none in cell 9; 5 in
+# cell 10; and 14, 23 in cell 11.
 height = 4.3
 load "book/figures/style.gp"
 table = data . "/ch04-sorted.tsv"

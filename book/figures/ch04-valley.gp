@@ -1,8 +1,14 @@
 # Sorting and searching together against the number of points in a cell,
 # nanoseconds a point with quartiles.
-# alt: Nanoseconds a point over the points in a cell, three curves on
-# logarithmic axes. Lists are above sorted cells, and the batched search
-# is below both, with its lowest place near one point in a cell.
+# alt: Nanoseconds a point over the points in a cell, from one half to
+# sixteen, three curves of ten sizes each, both axes logarithmic. Lists
+# are at the top and rise from the left end to the right, several fold.
+# Sorted cells begin a little below them, are level from one half to
+# one, as far as one can see, and then rise, slowly up to ten points in
+# a cell and steeply after that. Batches of four are far below both. At
+# their left end they fall, from one half to one, have their lowest
+# place near one, and rise from there on, several fold. So only their
+# curve has a left side.
 # demo: plot
 height = 2.7
 load "book/figures/style.gp"

@@ -1,8 +1,12 @@
 # The share of wrong neighbors if nine cells are searched and no test is
 # made, against the number of points in a cell: expected and counted.
-# alt: The share of wrong neighbors over the points in a cell, both axes
-# logarithmic: an expected curve that falls ever more steeply, with the
-# counted values as circles on it.
+# alt: The share of wrong neighbors over the points in a cell, from a
+# quarter to four, both axes logarithmic. The expected curve falls ever
+# more steeply: from one in seven at a quarter of a point through three
+# in a thousand at one and fifty-five in a million at two to four in a
+# hundred million at four. Six circles, the counted values at 1/4, 1/2,
+# 1, 3/2, 2 and 3, lie on it, the last a little below. At four there is
+# none, as no wrong neighbor was counted.
 # demo: plot
 height = 2.6
 load "book/figures/style.gp"
