@@ -1,7 +1,8 @@
 // node live.mjs BUILD: every figure that runs asks for a prediction, runs
 // when it has one, by the keyboard alone; its answers are the naive ones;
-// each of its buttons can be pressed, and keeps the focus; what changes is
-// said by regions that were there before; near, once it is warm, takes no more
+// what the question is about is to be seen in it; each of its buttons can
+// be pressed, and keeps the focus; what changes is said by regions that
+// were there before; near, once it is warm, takes no more
 // than four times what portable code takes outside of a browser; and where
 // there is no WebAssembly the picture stands alone. Pictures are left in
 // BUILD/web-check.
@@ -122,6 +123,14 @@ async function mouse(name) {
     "nothing changes");
 }
 
+// Takes an entry of the list with this label.
+function choose(name, label, k) {
+  return page.evaluate(`(() => { const s = [...${frame(name)}
+    .querySelectorAll("label")].find((l) =>
+      l.textContent.startsWith("${label}")).querySelector("select"); s.selectedIndex = ${k};
+    s.dispatchEvent(new Event("change")); })()`);
+}
+
 for (const name of names) {
   await page.go(`file://${web}/${name.slice(0, 4)}.html`);
   const there = await page.evaluate(
@@ -133,6 +142,10 @@ for (const name of names) {
   if (!await page.evaluate(`"${name}" in live.shown`)) continue;
   check(await page.evaluate(`live.shown["${name}"].check()`) === true,
     "right " + name, "another answer than the naive one");
+  if (await page.evaluate(`"asked" in live.shown["${name}"]`)) {
+    check(await page.evaluate(`live.shown["${name}"].asked()`) === true,
+      "asked " + name, "what the question is about is not there");
+  }
   await page.evaluate(`${frame(name)}.scrollIntoView()`);
   writeFileSync(`${out}/${name}.png`, await page.picture());
   await keys(name);
@@ -186,6 +199,46 @@ await page.evaluate(`${near}.open(new File(["x,y\\n1,2\\n12.5,abc\\n"],
   "cities.csv"))`);
 check(/cities.csv:3: expected two numbers/.test(await page.evaluate(said)),
   "near refuses a file", await page.evaluate(said));
+
+check(await page.evaluate(`[...${frame("ch01-near")}.querySelectorAll("button")]
+  .find((b) => /Save/.test(b.textContent)).ariaDisabled`) === "true",
+  "nothing to save after a file that is refused", "the points before it could be saved");
+await page.evaluate(`${near}.open(new File(["-7,0\\n3,4\\n0,1\\n"],
+  "three.csv"))`);
+const straight = await page.evaluate(said);
+await choose("ch01-near", "Geometry", 1);
+const around = await page.evaluate(said);
+check(/three.csv/.test(straight) && /three.csv/.test(around)
+  && /wraps around is -7, 0 to 3, 4/.test(around), "near answers anew in "
+  + "another geometry", around);
+
+// ---- by the mouse, and by a button ----------------------------------------
+const arrows = `live.shown["ch01-arrows"]`;
+await predict("ch01-arrows");
+const dot = await page.evaluate(`(() => {
+  const dot = ${frame("ch01-arrows")}.querySelector("circle.dot");
+  dot.scrollIntoView({ block: "center" });
+  const r = dot.getBoundingClientRect();
+  return [r.left + r.width / 2, r.top + r.height / 2]; })()`);
+for (const [type, move] of [["mousePressed", 0], ["mouseMoved", 12],
+  ["mouseMoved", 24], ["mouseReleased", 24]]) {
+  await page.send("Input.dispatchMouseEvent", { type, x: dot[0] + move,
+    y: dot[1], button: "left", buttons: 1, clickCount: 1 });
+}
+check(await page.evaluate(`${arrows}.points()`) === 12, "a point is dragged",
+  "a point more, or one less");
+await page.click(dot[0] + 24, dot[1]);
+check(await page.evaluate(`${arrows}.points()`) === 11,
+  "and is where it was dragged", "a click there takes nothing away");
+
+await page.go(`file://${web}/ch08.html`);
+await predict("ch08-strip");
+const strip = await page.evaluate(`(() => { const f = ${frame("ch08-strip")};
+  [...f.querySelectorAll("button")].find((b) =>
+    /longer/.test(b.textContent)).click();
+  return f.querySelector("[role=status]").textContent; })()`);
+check(/Not packed, 81 of 192 lanes had work: 42%/.test(strip),
+  "a longer search, and the lanes that wait for it", strip);
 
 // ---- where there is no WebAssembly ---------------------------------------
 await page.send("Page.addScriptToEvaluateOnNewDocument",
