@@ -138,14 +138,16 @@ live("ch01-near", {
     function show(c, n) {
       function line(kind, cells) {
         return live.element("tr", {}, cells.map(function (v) {
-          return live.element(kind, { "class": "right" }, String(v));
+          return live.element(kind, kind === "th" ? { "class": "right",
+            scope: "col" } : { "class": "right" }, String(v));
         }));
       }
-      table.replaceChildren.apply(table, [line("th", ["i", "x", "y", "nearest",
-        "distance to it", "furthest", "distance to it"])].concat(
-        rows(Math.min(n, SHOWN), short).map(function (r) {
-          return line("td", r);
-        }), n > SHOWN ? [line("td", ["…", "", "", "", "", "", ""])] : []));
+      var head = line("th", ["i", "x", "y", "nearest", "distance to it",
+        "furthest", "distance to it"]);
+      table.replaceChildren(live.element("thead", {}, head),
+        live.element("tbody", {}, rows(Math.min(n, SHOWN), short).map(
+          function (r) { return line("td", r); }).concat(n > SHOWN
+            ? line("td", ["…", "", "", "", "", "", ""]) : [])));
     }
 
     function thousands(n) { return n.toLocaleString("en"); }
