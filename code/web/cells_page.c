@@ -28,6 +28,19 @@ uint32_t EXPORT(sort_cells)(double per_cell)
     return grid_cells(&sorted.grid);
 }
 
+// Sorts the points, all in the unit square, into so many columns and
+// rows of it, however many points there are and wherever they lie.
+void EXPORT(sort_in_square)(uint32_t columns, uint32_t rows)
+{
+    const struct points p = page_question.points;
+    page_forget_cells();
+    sorted.grid = (struct grid){axis_cut(0, 1, INFINITY, columns),
+                                axis_cut(0, 1, INFINITY, rows)};
+    sorted.cells = cells_sort(&sorted.grid, p);
+    sorted.points = points_in_order(p, sorted.cells.point, 1);
+    there = true;
+}
+
 uint32_t EXPORT(columns)(void)
 {
     return sorted.grid.x.count;
@@ -112,16 +125,15 @@ uint32_t EXPORT(block_rows)(void)
 }
 
 // ---- eight queries and three spans ----------------------------------
-// The batch of sorted point s: up to eight that follow each other in a
+// The batch of sorted point s: up to widest that follow each other in a
 // row of cells, and the block around them. Returns how many they are.
-uint32_t EXPORT(batch_from)(uint32_t s)
+uint32_t EXPORT(batch_from)(uint32_t s, uint32_t widest)
 {
-    enum { WIDEST = 8 };
     const struct points p = sorted.points;
     const struct grid *grid = &sorted.grid;
     const uint32_t row = axis_cell(&grid->y, p.y[s]);
     uint32_t width = 1;
-    while (width < WIDEST && s + width < p.n &&
+    while (width < widest && s + width < p.n &&
            axis_cell(&grid->y, p.y[s + width]) == row)
         width++;
     block = block_around(grid, row, axis_cell(&grid->x, p.x[s]),

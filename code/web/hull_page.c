@@ -131,3 +131,9 @@ const double *EXPORT(piece_row_border)(uint32_t k)
 {
     return pieces.piece[k].sorted.grid.y.border;
 }
+
+// Where the points of each cell of a piece begin.
+const uint32_t *EXPORT(piece_start)(uint32_t k)
+{
+    return pieces.piece[k].sorted.cells.start;
+}

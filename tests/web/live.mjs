@@ -171,6 +171,45 @@ await page.evaluate(`(() => { const i = ${frame("ch04-count-scan-place")}
 check(/“9 1”/.test(await heard("ch04-count-scan-place")),
   "wrong cells are answered", await heard("ch04-count-scan-place"));
 
+// ---- what a figure asks about happens in it --------------------------------
+const press = (name, label) => page.evaluate(`[...${frame(name)}
+  .querySelectorAll(".panel button")].find((b) => b.textContent === "${label}")
+  .click()`);
+const choose = (name, k, item) => page.evaluate(`(() => { const s = ${frame(name)}
+  .querySelectorAll("select")[${k}]; s.selectedIndex = ${item};
+  s.dispatchEvent(new Event("change")); })()`);
+const status = (name) => page.evaluate(
+  `${frame(name)}.querySelector("[role=status]").textContent`);
+
+await page.go(`file://${web}/ch09.html`);
+await predict("ch09-three-spans");
+await press("ch09-three-spans", "Next that is not sure");
+check(/It is not sure/.test(await status("ch09-three-spans"))
+  && await page.evaluate(`live.shown["ch09-three-spans"].example`) > 0,
+  "some queries are not sure", await status("ch09-three-spans"));
+await choose("ch09-three-spans", 1, 3);
+check(/All 200 are sure/.test(await status("ch09-three-spans")),
+  "with four in a cell all are", await status("ch09-three-spans"));
+
+await page.go(`file://${web}/ch10.html`);
+await predict("ch10-corner-trick");
+const trick = () => page.evaluate(`live.shown["ch10-corner-trick"].state()`);
+const whole = await trick();
+check(whole.corner === 0 && whole.outside > 0 && !whole.wrong,
+  "an empty corner is not enough", JSON.stringify(whole));
+for (let k = 0; k < whole.outside; k++) {
+  await press("ch10-corner-trick", "Take the furthest away");
+}
+const broken = await trick();
+check(broken.outside === 0 && broken.wrong, "no point outside is",
+  JSON.stringify(broken));
+
+await page.go(`file://${web}/ch11.html`);
+await predict("ch11-pieces");
+const counts = await page.evaluate(`live.shown["ch11-pieces"].counts`);
+check(counts[2] === Math.max(...counts) && counts[0] < 10,
+  "towns are cut into the most pieces", counts.join(" "));
+
 // ---- near, with files ----------------------------------------------------
 await page.go(`file://${web}/ch01.html`);
 await predict("ch01-near");

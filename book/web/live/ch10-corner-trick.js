@@ -3,20 +3,51 @@
 
 live("ch10-corner-trick", {
   title: "use the corner trick, and break it",
-  ask: "The trick looks only into cells that reach outside of a circle. When "
-    + "is its answer wrong?",
-  choices: ["Never", "When the furthest cell is empty",
-    "When two points are equally far"],
-  because: "When the furthest cell is empty: then the circle "
-    + "through its corner promises a point that is not there.",
+  ask: "The trick looks only into cells with a part outside of a circle. "
+    + "What must be so for its answer to be wrong?",
+  choices: ["The furthest corner cell is empty, and that is enough",
+    "No point at all is outside of the circle",
+    "Two points are equally far"],
+  because: "It can be wrong only if no point at all is outside of the circle: a "
+    + "point outside is in a cell that is searched, and is further than all "
+    + "inside. Below, the corner cell is empty, and the trick is right all the "
+    + "same. Take the furthest point away until none is outside.",
 
   show: function (stage) {
-    var c = stage.c, points = c.generate("uniform", 60, 5), put = false;
-    var query = 0;
-    var p = draw.plane(stage, "60 points in a grid of cells. Click, or arrow "
-      + "keys and Enter, to choose the query, or to put and remove points.",
-      act);
+    var M = 8, N = 128, c = stage.c, kind = 0, seed = 68, put = false, query = 0;
+    var kinds = ["uniform", "clustered", "kuzmin", "circle"], points, now;
+    var names = ["uniform", "ten clusters", "Kuzmin’s disc", "on a circle"];
+    var p = draw.plane(stage, "Points in a grid of 64 cells, the circle of the "
+      + "corner trick, the cells that it searches, and what it finds.", act);
+    stage.box.append(live.element("p", { "class": "hint" }, "The large dot is "
+      + "the query. The small square is the inner corner of the corner cell "
+      + "that is furthest from it; the circle goes through it. Blue cells have "
+      + "a part outside of the circle and are searched; orange dots are points "
+      + "outside. Line: to the answer of the trick. Orange dashes, if that is "
+      + "wrong: to the furthest point. The grid stays where it is, "
+      + "whatever you put or remove. A click chooses the nearest point as the "
+      + "query, or puts or removes a point, as set below. By keyboard, in the "
+      + "picture: the arrow keys (with Shift, larger steps) and Enter."));
     var list = draw.list(stage, "The points in words");
+
+    // Points of a kind, stretched so that they fill the square, less a
+    // little at the rim, where a click has to find them.
+    function generate() {
+      points = c.generate(kinds[kind], N, seed);
+      var range = [0, 1].map(function (k) {
+        var v = points.map(function (q) { return q[k]; });
+        var low = Math.min.apply(0, v);
+        return { low: low, size: Math.max.apply(0, v) - low || 1 };
+      });
+      points = points.map(function (q) {
+        return range.map(function (r, k) {
+          return 0.015 + 0.97 * (q[k] - r.low) / r.size;
+        });
+      });
+      query = nearest_to(0.22, 0.3);
+    }
+
+    function many(n, word) { return n + " " + word + (n === 1 ? "" : "s"); }
 
     function nearest_to(x, y) {
       var best = 0;
@@ -28,130 +59,190 @@ live("ch10-corner-trick", {
     }
 
     function act(x, y) {
-      var i = nearest_to(x, y), d = Math.hypot(points[i][0] - x,
-        points[i][1] - y), words = "The query is point " + i + ", at "
-        + draw.place(points[i]) + ".";
-      if (!put) query = i;
-      else if (d < 0.02 && points.length > 3) {
-        points.splice(i, 1);
-        if (query >= i && query > 0) query--;
-        words = "Point " + i + " removed.";
-      } else {
+      var i = nearest_to(x, y), words;
+      if (!put) {
+        query = i;
+        words = "The query is point " + i + ", at " + draw.place(points[i]) + ".";
+      } else if (Math.hypot(points[i][0] - x, points[i][1] - y) > 0.02) {
         points.push([x, y]);
         words = "Point " + (points.length - 1) + " put at "
           + draw.place([x, y]) + ".";
-      }
+      } else if (points.length > 2) {
+        keep(function (_, k) { return k !== i; });
+        words = "Point " + i + " removed.";
+      } else words = "Two points have to stay.";
       redraw();
       return words;
     }
 
-    function ask() {
-      var n = points.length, q = points[query];
-      c.points(points);
-      c.set_geometry(1, 1, 1);
-      c.sort_cells(3);
-      c.ask_one_corner();
-      var a = { n: n, columns: c.columns(), rows: c.rows(), cells: [],
-        found: c.u32(c.furthest(), n), found2: c.f64(c.furthest2(), n),
-        x: c.f64(c.column_border(), c.columns() + 1),
-        y: c.f64(c.row_border(), c.rows() + 1),
-        start: c.u32(c.start(), c.columns() * c.rows() + 1),
-        radius: Math.sqrt(c.corner_radius2(q[0], q[1])) };
-      for (var r = 0; r < a.rows; r++) {
-        for (var k = 0; k < a.columns; k++) {
-          if (c.corner_visits(q[0], q[1], k, r)) a.cells.push([k, r]);
-        }
-      }
-      c.by("naive");
-      a.right = c.u32(c.furthest(), n);
-      a.right2 = c.f64(c.furthest2(), n);
-      return a;
+    // Keeps some points. The query stays, or else another is chosen.
+    function keep(wanted) {
+      var q = points[query];
+      points = points.filter(wanted);
+      query = Math.max(0, points.indexOf(q));
     }
 
-    function wrong(a) {
-      return points.filter(function (_, i) {
-        return a.found2[i] !== a.right2[i];
-      }).length;
+    function take_furthest() {
+      var j = now.right[query];
+      keep(function (_, k) { return k !== j; });
+    }
+
+    function ask() {
+      var n = points.length;
+      c.points(points);
+      c.set_geometry(1, 1, 1);
+      c.sort_in_square(M, M);
+      c.ask_one_corner();
+      now = { n: n, found: c.u32(c.furthest(), n),
+        found2: c.f64(c.furthest2(), n), start: c.u32(c.start(), M * M + 1) };
+      c.by("naive");
+      now.right = c.u32(c.furthest(), n);
+      now.right2 = c.f64(c.furthest2(), n);
+      return now;
+    }
+
+    function wrong(i) { return now.found2[i] !== now.right2[i]; }
+
+    function all_wrong() {
+      return points.map(function (_, i) { return i; }).filter(wrong);
+    }
+
+    // The cells that are searched for point i, the points outside of its
+    // circle, and its corner cell.
+    function circle(i) {
+      var q = points[i], r2 = c.corner_radius2(q[0], q[1]), cells = [];
+      for (var k = 0; k < M * M; k++) {
+        if (c.corner_visits(q[0], q[1], k % M, Math.floor(k / M))) cells.push(k);
+      }
+      var corner = (q[1] < 0.5 ? M * (M - 1) : 0) + (q[0] < 0.5 ? M - 1 : 0);
+      return { cells: cells, radius: Math.sqrt(r2),
+        corner: now.start[corner + 1] - now.start[corner],
+        at: [q[0] < 0.5 ? 1 - 1 / M : 1 / M, q[1] < 0.5 ? 1 - 1 / M : 1 / M],
+        searched: cells.reduce(function (sum, k) {
+          return sum + now.start[k + 1] - now.start[k];
+        }, 0),
+        outside: points.filter(function (b) { return is_outside(b, q, r2); }) };
+    }
+
+    function is_outside(b, q, radius2) {
+      var x = b[0] - q[0], y = b[1] - q[1];
+      return x * x + y * y > radius2;
+    }
+
+    function draw_all(o) {
+      var q = points[query];
+      p.frame();
+      o.cells.forEach(function (k) {
+        var x = k % M, y = Math.floor(k / M);
+        p.area([x / M, y / M], [(x + 1) / M, (y + 1) / M], "wash");
+      });
+      for (var k = 1; k < M; k++) {
+        p.segment([k / M, 0], [k / M, 1], "grid");
+        p.segment([0, k / M], [1, k / M], "grid");
+      }
+      p.circle(q, o.radius, "ring");
+      points.forEach(function (b) {
+        p.dot(b, o.outside.includes(b) ? "outside" : "dot", 3.2);
+      });
+      if (wrong(query)) p.segment(q, points[now.right[query]], "wrong");
+      if (now.found[query] < now.n) {
+        p.segment(q, points[now.found[query]], "stroke");
+      }
+      p.area([o.at[0] - 0.011, o.at[1] - 0.011], [o.at[0] + 0.011,
+        o.at[1] + 0.011], "corner");
+      p.dot(q, "query", 6);
+      p.cross();
+      list(points.map(function (b, i) {
+        return "Point " + i + " at " + draw.place(b) + (i === query
+          ? ": the query" : "") + (i === now.right[query] ? ": the furthest" : "")
+          + (i === now.found[query] ? ": the trick's answer" : "")
+          + (o.outside.includes(b) ? ": outside of the circle" : "");
+      }));
+    }
+
+    function verdict(o) {
+      if (o.outside.length) {
+        return many(o.outside.length, "point") + (o.outside.length === 1
+          ? " is" : " are") + " outside of the circle, so the trick must be "
+          + "right.";
+      }
+      return "No point is outside of the circle. " + (!wrong(query)
+        ? "Among the " + many(o.searched, "point") + " of the blue cells the "
+        + "furthest happens to be: right, by luck." : "The trick is wrong: "
+        + (now.found[query] < now.n ? "the best of the blue cells, "
+        + Math.sqrt(now.found2[query]).toFixed(3) + " away, is not as far as a "
+        + "point that is " + Math.sqrt(now.right2[query]).toFixed(3)
+        + " away, in a cell that it does not search."
+        : "its blue cells have no point."));
     }
 
     function redraw() {
-      var a = ask(), q = points[query];
-      p.frame();
-      a.cells.forEach(function (k) {
-        p.area([a.x[k[0]], a.y[k[1]]], [a.x[k[0] + 1], a.y[k[1] + 1]], "wash");
-      });
-      a.x.forEach(function (x) {
-        p.segment([x, a.y[0]], [x, a.y[a.rows]], "grid");
-      });
-      a.y.forEach(function (y) {
-        p.segment([a.x[0], y], [a.x[a.columns], y], "grid");
-      });
-      p.circle(q, a.radius, "ring");
-      points.forEach(function (b) { p.dot(b, "dot", 3); });
-      p.segment(q, points[a.right[query]], "wrong");
-      if (a.found[query] < a.n) p.segment(q, points[a.found[query]], "stroke");
-      p.dot(q, "query", 6);
-      p.cross();
-      var good = a.found2[query] === a.right2[query];
-      list(points.map(function (b, i) {
-        return "Point " + i + " at " + draw.place(b) + (i === query
-          ? ": the query" : "") + (i === a.right[query] ? ": the furthest" : "")
-          + (i === a.found[query] ? ": the trick's answer" : "");
-      }));
-      function far(i, square) {
-        return "point " + i + ", " + Math.sqrt(square).toFixed(3) + " away";
-      }
-      stage.say("The trick looks into " + a.cells.length + " of "
-        + a.columns * a.rows + " cells, and is " + (good ? "right here: "
-        + far(a.right[query], a.right2[query]) : "wrong here: "
-        + (a.found[query] < a.n ? "it finds " + far(a.found[query],
-        a.found2[query]) : "it finds none") + ", but the orange line leads to "
-        + far(a.right[query], a.right2[query])) + "; of all " + a.n
-        + " queries it is wrong for " + wrong(a) + ".");
+      ask();
+      var o = circle(query), w = all_wrong().length;
+      draw_all(o);
+      stage.say("The corner cell has " + (o.corner ? many(o.corner, "point")
+        : "no point") + ". " + verdict(o) + " It searches " + o.cells.length
+        + " of " + M * M + " cells here. Of the " + now.n
+        + " points as queries, it is wrong for " + (w ? w : "none") + ".");
     }
 
     stage.choice("A click", ["chooses the query", "puts or removes a point"],
       function (k) { put = k === 1; });
-    stage.button("Break it", function () { points = broken(); redraw(); });
-    stage.button("Other points", function () {
-      points = c.generate("uniform", 60, 1 + Math.floor(Math.random() * 1e6));
-      query = 0;
+    stage.button("Take the furthest away", function () {
+      if (points.length > 2) take_furthest();
       redraw();
     });
-    redraw();
-
-    // A corner of the square is cut off, and its cells are empty. The
-    // query is the first that is deceived.
-    function broken() {
-      points = c.generate("uniform", 100, 2).filter(function (q) {
-        return q[0] + q[1] < 1.25;
-      });
-      query = 0;
-      var a = ask();
-      query = Math.max(0, points.findIndex(function (_, i) {
-        return a.found2[i] !== a.right2[i];
-      }));
-      return points;
-    }
-
-    // Right where no cell is empty, and wrong somewhere when broken.
-    return { check: function () {
-      var kept = points, asked = query, good = true, tried = 0;
-      for (var seed = 1; seed <= 30; seed++) {
-        points = c.generate("uniform", 90, seed);
-        query = 0;
-        var a = ask(), full = true;
-        for (var k = 0; k + 1 < a.start.length; k++) {
-          if (a.start[k] === a.start[k + 1]) full = false;
-        }
-        if (full) { tried++; if (wrong(a)) good = false; }
-      }
-      points = broken();
-      var breaks = wrong(ask()) > 0;
-      points = kept;
-      query = asked;
+    stage.button("Next wrong query", function () {
+      var bad = all_wrong();
+      if (!bad.length) return stage.say("There is none: all answers are right.");
+      var next = bad.find(function (i) { return i > query; });
+      query = next === undefined ? bad[0] : next;
       redraw();
-      return good && tried > 0 && breaks;
+    });
+    stage.choice("Points", names, function (k) {
+      kind = k;
+      generate();
+      redraw();
+    });
+    stage.button("Other points", function () { seed++; generate(); redraw(); });
+
+    // The example: an empty corner cell, which the trick survives.
+    function empty_corner() {
+      kind = 0;
+      seed = 68;
+      generate();
+      ask();
+      keep(function (b) { return b[0] <= 1 - 1 / M || b[1] <= 1 - 1 / M; });
+      redraw();
+    }
+    empty_corner();
+
+    // Right wherever a point is outside; wrong somewhere in each kind but
+    // the first, and in the example once no point is outside.
+    return { state: function () {
+      return { corner: circle(query).corner, wrong: wrong(query),
+        outside: circle(query).outside.length };
+    }, check: function () {
+      var good = true, o, before, errs;
+      for (kind = 0; kind < kinds.length; kind++) {
+        errs = 0;
+        for (seed = 1; seed <= 10; seed++) {
+          generate();
+          ask();
+          points.forEach(function (_, i) {
+            if (wrong(i)) errs++;
+            if (wrong(i) && circle(i).outside.length) good = false;
+          });
+        }
+        if (kind > 0 && errs === 0) good = false;
+      }
+      empty_corner();
+      o = circle(query);
+      before = o.corner === 0 && o.outside.length > 0 && !wrong(query);
+      for (var k = o.outside.length; k > 0; k--) { take_furthest(); ask(); }
+      good = good && before && wrong(query);
+      empty_corner();
+      return good;
     } };
   }
 });
