@@ -247,7 +247,10 @@ live("ch09-three-spans", {
 
     // Who is sure is right; the example has some that are not, of which
     // one is wrong; with four in a cell there is none.
-    return { example: unsure(), check: function () {
+    return { asked: function () { // one that is not sure is shown
+      return !batch(at).answers[0].sure && /not sure/.test(
+        stage.status.textContent);
+    }, check: function () {
       var good = true, wrong = 0, counts = [];
       for (kind = 0; kind < kinds.length; kind++) {
         for (wide = 0; wide < 2; wide++) {

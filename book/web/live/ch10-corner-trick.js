@@ -217,11 +217,16 @@ live("ch10-corner-trick", {
     }
     empty_corner();
 
+    function state() {
+      var o = circle(query);
+      return { corner: o.corner, wrong: wrong(query),
+        outside: o.outside.length };
+    }
+
     // Right wherever a point is outside; wrong somewhere in each kind but
     // the first, and in the example once no point is outside.
-    return { state: function () {
-      return { corner: circle(query).corner, wrong: wrong(query),
-        outside: circle(query).outside.length };
+    return { state: state, asked: function () { // an empty corner, and right
+      return state().corner === 0 && state().outside > 0 && !state().wrong;
     }, check: function () {
       var good = true, o, before, errs;
       for (kind = 0; kind < kinds.length; kind++) {

@@ -12,7 +12,7 @@ live("ch11-pieces", {
   show: function (stage) {
     var N = 20000, c = stage.c, seed = 1, kind = stage.predicted, grids = true;
     var kinds = ["clustered", "two-clusters", "towns", "kuzmin", "uniform",
-      "spiral", "log-normal", "circle"], asked = 4;
+      "spiral", "log-normal", "circle"], offered = 4;
     var names = ["ten clusters", "two far clusters", "a hundred towns",
       "Kuzmin’s disc", "uniform", "spiral", "log-normal", "on a circle"];
     var points, list, view, whole, chosen = null, together;
@@ -192,7 +192,7 @@ live("ch11-pieces", {
     }
 
     function count_all() {
-      return kinds.slice(0, asked).map(function (name) {
+      return kinds.slice(0, offered).map(function (name) {
         c.generate(name, N, seed);
         return pieces().length;
       });
@@ -222,7 +222,11 @@ live("ch11-pieces", {
 
     // No point is lost, the search through the pieces is right, and towns
     // have the most pieces, counted by their regions.
-    return { counts: counts, check: function () {
+    return { counts: counts, asked: function () { // all four can be read
+      return counts.every(function (n, k) {
+        return stage.answer.textContent.includes(names[k] + " " + n);
+      });
+    }, check: function () {
       var good = kinds.every(function (name) {
         c.generate(name, N, seed);
         var sum = pieces().reduce(function (s, q) { return s + q.points; }, 0);
