@@ -30,9 +30,8 @@ enum first earlier(double floor, const struct fall *p,
         return of_p < of_q ? FIRST_P : FIRST_Q;
     return exact ? BOTH : NOT_SURE;
     //- starter
-    // // Your turn: so far it divides, and is always sure.
-    // const double of_p = (p->begin - floor) / (p->begin - p->end);
-    // const double of_q = (q->begin - floor) / (q->begin - q->end);
+    // // Your turn: so far the lower one is first, however fast it is.
+    // const double of_p = p->begin - floor, of_q = q->begin - floor;
     // if (of_p == of_q)
     //     return BOTH;
     // return of_p < of_q ? FIRST_P : FIRST_Q;
