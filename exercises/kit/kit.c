@@ -17,6 +17,7 @@
 #include "confine.h"
 #include "fence.h"
 #include "grader.h"
+#include <ctype.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <math.h>
@@ -86,6 +87,55 @@ const char *__ubsan_default_options(void)
 
 // ---- text ----------------------------------------------------------
 
+// What is counted in sentences, one of it and many.
+static const char *const units[][2] = {
+    {"1 points", "1 point"},
+    {"1 numbers", "1 number"},
+    {"1 values", "1 value"},
+    {"1 different values", "1 different value"},
+    {"1 cells", "1 cell"},
+    {"1 boxes", "1 box"},
+    {"1 dimensions", "1 dimension"},
+    {"1 leaves", "1 leaf"},
+    {"1 threads", "1 thread"},
+    {"1 tasks", "1 task"},
+    {"1 steps", "1 step"},
+    {"1 rounds", "1 round"},
+    {"1 rows", "1 row"},
+    {"1 columns", "1 column"},
+    {"1 bins", "1 bin"},
+    {"1 keys", "1 key"},
+    {"1 bits", "1 bit"},
+    {"1 records", "1 record"},
+    {"1 flags", "1 flag"},
+    {"1 elements", "1 element"},
+    {"1 places", "1 place"},
+    {"1 lines", "1 line"},
+    {"1 queries", "1 query"},
+    {"1 candidates", "1 candidate"},
+    {"1 triangles", "1 triangle"},
+    {"1 questions", "1 question"},
+    {"1 pairs", "1 pair"},
+    {"1 corners", "1 corner"},
+};
+
+// "1 points" becomes "1 point", but "1.1 points" and "11 points" stay.
+static void count_to_one(char *text)
+{
+    for (size_t u = 0; u < sizeof units / sizeof *units; u++) {
+        const size_t many = strlen(units[u][0]);
+        const size_t one = strlen(units[u][1]);
+        for (char *at = text; (at = strstr(at, units[u][0])); at++) {
+            const bool whole =
+                at == text || strchr(" ,:;(", at[-1]) != NULL;
+            if (!whole || isalpha((unsigned char)at[many]))
+                continue;
+            memcpy(at, units[u][1], one);
+            memmove(at + one, at + many, strlen(at + many) + 1);
+        }
+    }
+}
+
 const char *kit_text(const char *format, ...)
 {
     size_t room = sizeof grader.text - grader.text_length;
@@ -96,6 +146,7 @@ const char *kit_text(const char *format, ...)
     va_end(arguments);
     if (length >= room)
         fail("the messages of a test are too long");
+    count_to_one(text);
     grader.text_length += length + 1;
     return text;
 }
@@ -115,6 +166,7 @@ void kit_given(const char *format, ...)
     char *given = student.library ? grader.trace->given : grader.given;
     vsnprintf(given, sizeof grader.given, format, arguments);
     va_end(arguments);
+    count_to_one(given);
 }
 
 void kit_if_endless(const char *cause)

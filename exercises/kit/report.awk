@@ -11,7 +11,7 @@ FNR == 1 { run++; head = $0; next }
 why == "no" && $6 != "" { $11 = "" }
 !($1 in about) { names[++tests] = $1; about[$1] = $5 }
 {
-    status[$1, run] = $4
+    status[$1, run] = $4 == "wrong" && $2 > 0 ? "partly" : $4
     points[$1] = $1 in row && points[$1] < $2 ? points[$1] : $2
     worth[$1] = $3
     row[$1] = $0
@@ -54,7 +54,9 @@ function headline() {
     return $4 == "wrong" ? $2 > 0 ? "PARTLY" : "WRONG" : "FAILED"
 }
 
-# A crash is told once, with the tests in which it happens again.
+# A crash is told once, with the tests in which it happens again; what
+# earns a part of its points, once of the two runs, unless it earns less
+# in the second.
 function tell() {
     if ($6 == "") { # it is the file, not the test
         if (!told++) {
@@ -63,6 +65,10 @@ function tell() {
         }
         return
     }
+    if ($1 in partly && $2 >= partly[$1])
+        return
+    if ($4 == "wrong" && $2 > 0)
+        partly[$1] = $2
     if ($9 == "" && kind() in first) {
         again[first[kind()]] = again[first[kind()]] " " $1
         return
@@ -72,7 +78,8 @@ function tell() {
     line("where", $8)
     line("expected", $9)
     line("found", $10)
-    line("why", $11 in told_in ? "the same as in " told_in[$11] : $11)
+    line("why", !($11 in told_in) ? $11 : told_in[$11] == $1 ?
+        "the same as before" : "the same as in " told_in[$11])
     if ($11 != "" && !($11 in told_in))
         told_in[$11] = $1
     line("input", $7 ($7 != "" ? ", " : "") "seed " $6)

@@ -93,25 +93,34 @@ static void many(uint64_t seed)
     }
 }
 
+// The mean of many sets, always the same ones. The chapter's method
+// takes 2.44 n, and single sets stray by a tenth of n; without a sample
+// it is 3.4 n, with medians of three 2.75 n, and single sets stray by
+// 1.0 and 0.6 n, so their means by 0.1 and 0.06 n.
 static void count(uint64_t seed)
 {
+    enum { SETS = 100 };
     double sum = 0;
-    for (int trial = 0; trial < 10; trial++) {
-        prepare(30000, seed + trial);
+    (void)seed;
+    for (int set = 0; set < SETS; set++) {
+        prepare(30000, 1 + set);
         ask(n / 2);
         sum += (double)*asked / n;
     }
-    kit_bands(sum / 10, (struct kit_band[]){{3, 6}, {6, 3}, {0, 0}},
+    const double mean = sum / SETS;
+    kit_given("%d sets of 30,000 numbers, the same for every seed",
+              SETS);
+    kit_bands(mean, (struct kit_band[]){{2.6, 6}, {6, 3}, {0, 0}},
               (struct kit_fault){
-                  .expected = "at most 3 n questions",
-                  .found = kit_text("%.1f n", sum / 10),
+                  .expected = "at most 2.60 n questions on average",
+                  .found = kit_text("%.2f n", mean),
                   .cause = "Two bounds from a sample leave little to "
                            "search."});
 }
 
 const struct kit_test kit_tests[] = {
     {"few", 2, "every rank of few numbers", few},
-    {"many", 2, "ranks of 3,000 numbers, the first and last too", many},
+    {"many", 2, "ranks of 3,000 numbers, first and last too", many},
     {"count", 6, "few questions", count},
     {0},
 };

@@ -165,7 +165,9 @@ static void count(uint64_t seed)
               (struct kit_fault){
                   .expected = kit_text("%.1f leaves for a place",
                                        enough / 4 / PLACES),
-                  .found = kit_text("%.2f times as many", times),
+                  .found = kit_text("%.1f leaves for a place, %.2f "
+                                    "times as many",
+                                    all / 4 / PLACES, times),
                   .cause = times > 60 ? "Leave out what cannot be "
                                         "nearer than the best so far."
                                       : "Take the nearer side first, "
