@@ -6,7 +6,7 @@
 // place 0. Given; it counts.
 double number_at(int axis, uint32_t place);
 
-struct slice {
+struct axis_slice {
     int axis;            // the coordinate
     uint32_t begin, end; // places begin to end - 1 of its order
 };
@@ -14,5 +14,5 @@ struct slice {
 // Of n points in d dimensions, the places whose numbers lie in the box,
 // low[k] <= number <= high[k], in the coordinate with the fewest; of
 // equally few the lowest coordinate. low[k] <= high[k].
-struct slice smallest_slice(uint32_t n, int d, const double *low,
-                            const double *high);
+struct axis_slice smallest_slice(uint32_t n, int d, const double *low,
+                                 const double *high);

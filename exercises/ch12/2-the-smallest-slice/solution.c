@@ -19,21 +19,21 @@ static uint32_t place_of(int axis, uint32_t n, double value, int above)
 //- starter
 //- end
 
-struct slice smallest_slice(uint32_t n, int d, const double *low,
-                            const double *high)
+struct axis_slice smallest_slice(uint32_t n, int d, const double *low,
+                                 const double *high)
 {
     //- solution
-    struct slice best = {-1, 0, n};
+    struct axis_slice best = {-1, 0, n};
     for (int axis = 0; axis < d; axis++) {
         const uint32_t begin = place_of(axis, n, low[axis], 0);
         const uint32_t end = place_of(axis, n, high[axis], 1);
         if (best.axis < 0 || end - begin < best.end - best.begin)
-            best = (struct slice){axis, begin, end};
+            best = (struct axis_slice){axis, begin, end};
     }
     return best;
     //- starter
     // // Your turn: so far it takes all places of the first coordinate.
     // (void)d, (void)low, (void)high;
-    // return (struct slice){0, 0, n};
+    // return (struct axis_slice){0, 0, n};
     //- end
 }

@@ -11,7 +11,7 @@ static uint32_t n;
 static int d;
 static double *sorted[MOST_AXES], *low, *high;
 static uint64_t *looks;
-static struct slice *found;
+static struct axis_slice *found;
 
 double number_at(int axis, uint32_t place)
 {
@@ -48,9 +48,9 @@ static void prepare(uint32_t count, int axes, double steps,
 }
 
 // The places of one coordinate, found by looking at every number.
-static struct slice slice_of(int axis, bool half_open)
+static struct axis_slice slice_of(int axis, bool half_open)
 {
-    struct slice slice = {.axis = axis};
+    struct axis_slice slice = {.axis = axis};
     for (const double *x = sorted[axis]; x < sorted[axis] + n; x++) {
         slice.begin += *x < low[axis];
         slice.end += half_open ? *x < high[axis] : *x <= high[axis];
@@ -58,11 +58,11 @@ static struct slice slice_of(int axis, bool half_open)
     return slice;
 }
 
-static struct slice walk(bool half_open, bool last)
+static struct axis_slice walk(bool half_open, bool last)
 {
-    struct slice best = slice_of(0, half_open);
+    struct axis_slice best = slice_of(0, half_open);
     for (int axis = 1; axis < d; axis++) {
-        const struct slice other = slice_of(axis, half_open);
+        const struct axis_slice other = slice_of(axis, half_open);
         const uint32_t least = best.end - best.begin + last;
         if (other.end - other.begin < least)
             best = other;
@@ -70,12 +70,12 @@ static struct slice walk(bool half_open, bool last)
     return best;
 }
 
-static bool same(struct slice a, struct slice b)
+static bool same(struct axis_slice a, struct axis_slice b)
 {
     return a.axis == b.axis && a.begin == b.begin && a.end == b.end;
 }
 
-static const char *text_of(struct slice s)
+static const char *text_of(struct axis_slice s)
 {
     if (s.begin >= s.end)
         return kit_text("coordinate %d, begin %u, end %u: no place",
@@ -88,7 +88,7 @@ static void ask(void)
 {
     *looks = 0;
     CALL(*looks = 0; *found = STUDENT(smallest_slice)(n, d, low, high));
-    const struct slice right = walk(false, false);
+    const struct axis_slice right = walk(false, false);
     if (same(*found, right))
         return;
     const char *cause = "Both ends are the first place that is not in "

@@ -10,7 +10,7 @@ bool is_in_box(uint32_t place);
 // The cells that a box meets: these columns and rows, the last ones
 // included. Where it begins and ends inside of a cell, that cell is the
 // first or the last.
-struct block {
+struct cell_block {
     uint32_t first_column, last_column, first_row, last_row;
 };
 
@@ -18,4 +18,4 @@ struct block {
 // number j * columns + i, and has the places start[number] to
 // start[number + 1] - 1.
 uint32_t count_in_box(const uint32_t *start, uint32_t columns,
-                      struct block block);
+                      struct cell_block block);

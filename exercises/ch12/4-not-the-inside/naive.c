@@ -3,7 +3,7 @@
 #include "exercise.h"
 
 uint32_t count_in_box(const uint32_t *start, uint32_t columns,
-                      struct block block)
+                      struct cell_block block)
 {
     uint32_t count = 0;
     for (uint32_t j = block.first_row; j <= block.last_row; j++)

@@ -14,7 +14,7 @@ static uint32_t look(const uint32_t *start, uint32_t first,
 //- end
 
 uint32_t count_in_box(const uint32_t *start, uint32_t columns,
-                      struct block block)
+                      struct cell_block block)
 {
     //- solution
     uint32_t count = 0;

@@ -7,7 +7,7 @@
 
 static uint32_t n, columns, *start;
 static double *x, *y, box[4];
-static struct block block;
+static struct cell_block block;
 static uint64_t *looks;
 static uint32_t *found;
 
@@ -29,7 +29,7 @@ static void draw_box(struct random *random, double size)
         box[2 * k] = (1 - size) * random_uniform(random);
         box[2 * k + 1] = box[2 * k] + size * random_uniform(random);
     }
-    block = (struct block){
+    block = (struct cell_block){
         (uint32_t)(box[0] * columns), (uint32_t)(box[1] * columns),
         (uint32_t)(box[2] * columns), (uint32_t)(box[3] * columns)};
 }
