@@ -55,6 +55,21 @@ static void heap(uint32_t each, double scale, uint64_t seed)
               points.n, wide * scale, scale);
 }
 
+// A needle: half of the points at its left end and half at its right
+// one, above each other. Where it is thin, squared distances along it
+// are all the same, as computed, though only four points are corners.
+static void needle(uint32_t n, double thick, uint64_t seed)
+{
+    struct random random = {seed};
+    take(n);
+    for (uint32_t i = 0; i < n; i++) {
+        points.x[i] = i % 2;
+        points.y[i] = thick * (double)(random_bits(&random) % 9) / 8;
+    }
+    kit_given("%u points at the two ends of a needle, %g thick", n,
+              thick);
+}
+
 static void lattice(uint32_t n, uint32_t columns, uint32_t rows,
                     uint64_t seed)
 {
@@ -213,6 +228,10 @@ static void heaps(uint64_t seed)
     for (uint64_t k = 0; k < 6; k++) {
         heap(10 << k, 1, seed + k);
         check(in_heaps());
+    }
+    for (int power = 20; power <= 50; power += 2) {
+        needle(60, ldexp(1, -power), seed + power);
+        check(points.n);
     }
 }
 
