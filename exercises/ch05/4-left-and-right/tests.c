@@ -193,7 +193,14 @@ static void check(uint32_t n, int threads, enum manner manner)
                   threads);
         CALL(*lefts = inside(STUDENT(divide), n, point, threads));
         if (missing(n, point) < n || *lefts != solve(n).lefts)
-            WRONG(.cause = "The work of threads that did not come was "
+            WRONG(.expected = "all the work, done by one thread",
+                  .found =
+                      missing(n, point) < n
+                          ? kit_text("point %u in no place",
+                                     missing(n, point))
+                          : kit_text("%u on the left, which are %u",
+                                     *lefts, solve(n).lefts),
+                  .cause = "The work of threads that did not come was "
                            "left undone. omp_get_num_threads(), inside "
                            "of the region, says how many came.");
         break;

@@ -171,6 +171,7 @@ static void check_order(void)
                           "beginning of it",
               .found = "another order",
               .cause =
+                  "This counts only for an order that is made once. "
                   "To gather in each round the tasks that have work "
                   "left is a pack of all of them. Order them once, "
                   "so that fewer lanes are all it takes.");

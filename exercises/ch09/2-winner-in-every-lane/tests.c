@@ -157,10 +157,12 @@ static void prepare(uint32_t spans, uint32_t unit, uint32_t values,
 
 static const char *tell_question(const struct question *q)
 {
-    const char *text = kit_text("query: point %u of %u", q->self, q->n);
+    const char *text =
+        kit_text("the query has index %u of %u", q->self, q->n);
     for (uint32_t s = 0; s < q->spans; s++)
-        text = kit_text("%s%s %u to %u", text, s ? "," : "; spans",
-                        q->span[s].begin, q->span[s].end);
+        text = kit_text("%s%s [%u, %u)", text,
+                        s ? "," : "; spans of places", q->span[s].begin,
+                        q->span[s].end);
     return text;
 }
 
