@@ -16,6 +16,8 @@ why == "no" && $6 != "" { $11 = "" }
     worth[$1] = $3
     row[$1] = $0
     runs[$1] = run
+    if ($12 != "") # in a race, also of those that pass
+        ratio[$1] = $12
 }
 $4 != "passed" { tell() }
 
@@ -78,12 +80,16 @@ function tell() {
     line("where", $8)
     line("expected", $9)
     line("found", $10)
-    line("why", !($11 in told_in) ? $11 : told_in[$11] == $1 ?
-        "the same as before" : "the same as in " told_in[$11])
+    line("why", $11 in told_in ? "the same as " before() : $11)
     if ($11 != "" && !($11 in told_in))
         told_in[$11] = $1
     line("input", $7 ($7 != "" ? ", " : "") "seed " $6)
     line("again", "make exercise" key " TEST=" $1 " SEED=" $6)
+}
+
+# The test whose cause was the same.
+function before() {
+    return told_in[$11] == $1 ? "before" : "in " told_in[$11]
 }
 
 function cell(name, run) {
@@ -109,6 +115,9 @@ END {
         print > out
         printf "  %-44s %-10s %-10s %2d / %d\n", about[n], cell(n, 1),
             cell(n, 2), points[n], worth[n]
+        if (n in ratio)
+            printf "    in %.2f times the time of the program beside it\n",
+                ratio[n]
         earned += points[n]
         of += worth[n]
     }

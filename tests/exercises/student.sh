@@ -77,6 +77,15 @@ check "its points are shown" grep -q '10 / 10' "$said"
 check "its points are written" \
     awk -F '\t' 'NR > 1 { p += $2 } END { exit p != 10 }' "$scores"
 
+# A part of the points, told once, though in both runs.
+part=$WORK/12.5/a-median-for-little.c
+mkdir -p "$WORK/12.5"
+sed 's/if (n > 600 &&/if (n > 4000000000u \&\&/' \
+    exercises/ch12/5-a-median-for-little/solution.c >"$part"
+LIMIT=20 TEST=count exercises/kit/exercise 12.5 >"$said" 2>&1
+check "a part of the points is told once" [ "$(grep -c '^PARTLY' "$said")" -eq 1 ]
+check "as a part in the table, too" grep -q 'partly  *partly  *3 / 6' "$said"
+
 : >"$file"
 exercises/kit/exercise 2.1 >"$said" 2>&1
 check "an empty file" grep -q 'The file is empty' "$said"
