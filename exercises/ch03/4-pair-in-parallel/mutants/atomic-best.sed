@@ -1,6 +1,7 @@
 # The best and its indices are atomic, and nothing holds them together.
 # expect: An update was lost
 # why: Each look and each store is one step, so it seems that no guard is needed.
+# points: 3
 /#pragma omp critical/d
 s/^    struct pair best = .*/    _Atomic double least = INFINITY;\
     _Atomic uint64_t code = 0;/
