@@ -438,7 +438,7 @@ hintN.K:
 $(hints): hint%:
 	@BUILD=$(BUILD) exercises/kit/hint $*
 
-#: grade one student's folder, WORK=work, for a course's machine
+#: grade a student's folder, WORK=work, or a class of them, CLASS=folder
 grade: | $(BUILD)/setup/code
 	@BUILD=$(BUILD) CC="$(CC)" MARCH=$(MARCH) exercises/kit/grade
 

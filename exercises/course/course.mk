@@ -4,10 +4,12 @@
 sheet: | $(BUILD)/setup/book
 	@BUILD=$(BUILD) exercises/course/sheet
 
-#: the book for students, without solutions
+#: the book for students, without solutions; a release has it ready
 handout: | $(BUILD)/setup/book
+	@echo "What this makes is the student's edition, which every release has ready:"
+	@echo "near-and-far-VERSION.tar.gz. If you have changed nothing, hand that out."
+	@echo "Anew it takes ten minutes or so, most of them for the book. Ctrl-C ends it."
 	@rm -rf $(BUILD)/handout
-	@echo "Making the handout takes a few minutes, most of them for the book"
 	@$(MAKE) --no-print-directory $(BUILD)/near-and-far.pdf
 	@BUILD=$(BUILD) exercises/course/handout
 
