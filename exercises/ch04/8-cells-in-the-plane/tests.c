@@ -3,6 +3,7 @@
 // points to places that are known beforehand.
 #include "exercise.h"
 #include "kit.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,9 +17,13 @@ static uint32_t cells(void)
     return grid.columns * grid.rows;
 }
 
+static bool exchanged; // cells numbered column by column
+
 static uint32_t cell_of(uint32_t i)
 {
-    return cell_at(grid, points.x[i], points.y[i]);
+    uint32_t k = cell_at(grid, points.x[i], points.y[i]);
+    return exchanged ? k % grid.columns * grid.rows + k / grid.columns
+                     : k;
 }
 
 static void prepare(struct points given, uint32_t columns,
@@ -55,16 +60,47 @@ static uint32_t *order(void)
     return right;
 }
 
+// Whether all of it is the answer for cells that are numbered column by
+// column.
+static bool is_exchanged(void)
+{
+    exchanged = true;
+    const uint32_t *other = order();
+    bool same = true;
+    for (uint32_t s = 0; s < points.n; s++)
+        same = same && sorted->index[s] == other[s];
+    for (uint32_t k = 0, s = 0; k <= cells(); k++) {
+        while (s < points.n && cell_of(other[s]) < k)
+            s++;
+        same = same && sorted->start[k] == s;
+    }
+    exchanged = false;
+    return same;
+}
+
+static const char exchange[] =
+    "Columns and rows are exchanged: cells are numbered row by row.";
+
+// Where cell k begins.
+static uint32_t right_start(uint32_t k)
+{
+    uint32_t before = 0;
+    for (uint32_t i = 0; i < points.n; i++)
+        before += cell_of(i) < k;
+    return before;
+}
+
 static const char *start_cause(uint32_t k, uint32_t right)
 {
+    if (is_exchanged())
+        return exchange;
     const uint32_t unset = 0xa5a5a5a5, *start = sorted->start;
     if (start[k] - right >= unset - right && start[k] >= unset)
         return "Was this set to 0 before anything was counted? What "
-               "the "
-               "array held before means nothing.";
+               "the array held before means nothing.";
     if (k == cells())
         return "The last start is where the last cell ends.";
-    if (start[k] == sorted->start[k + 1] && start[k] > right)
+    if (right_start(k + 1) == start[k] && start[k] > right)
         return "This is where the cell ends. The loop that places must "
                "leave the beginnings behind.";
     return "A cell begins behind all points of all the cells before "
@@ -90,15 +126,13 @@ static const char *order_cause(uint32_t right, uint32_t found)
     if (found >= points.n)
         return "This place was left free, or what was counted is not "
                "what was placed.";
+    if (is_exchanged())
+        return exchange;
     uint32_t k = cell_of(right), l = cell_of(found);
     if (k == l)
         return "The cell is right, but not the order in it: the points "
                "of a cell stand by ascending number. Filled from the "
                "end, a cell wants the last point first.";
-    if (grid.rows == grid.columns &&
-        l % grid.columns * grid.columns + l / grid.columns == k)
-        return "Columns and rows are exchanged: cells are numbered row "
-               "by row.";
     return "This point lies in another cell.";
 }
 
@@ -174,7 +208,16 @@ static void few(uint64_t seed)
 
 // ---- time ----------------------------------------------------------
 
-enum { MANY = 1000000, SIDE = 707 };
+enum { MANY = 1000000, SIDE = 707, SIDE_MAX = 5000 };
+
+// Of the grid: 707, or of as many cells as CELLS= asks for, to see what
+// becomes of the time.
+static uint32_t side(void)
+{
+    const char *wanted = getenv("CELLS");
+    double root = wanted ? sqrt(atof(wanted)) : SIDE;
+    return root >= 1 && root <= SIDE_MAX ? (uint32_t)root : SIDE;
+}
 
 // To known places: no cell is found, nothing is counted.
 static void move_all(void)
@@ -200,7 +243,7 @@ static void in_time(uint64_t seed)
 {
     prepare(kit_points("uniform", 3000, seed), 40, 40);
     check();
-    prepare(kit_points("uniform", MANY, seed), SIDE, SIDE);
+    prepare(kit_points("uniform", MANY, seed), side(), side());
     const uint32_t *right = order();
     place = kit_input("the places", MANY, sizeof *place);
     for (uint32_t s = 0; s < MANY; s++)
