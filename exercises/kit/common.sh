@@ -39,6 +39,16 @@ find_exercise() {
     slug=$(basename "$folder" | sed 's/^[0-9]*-//')
 }
 
+# next_key exercise.md: the exercise after this one, of those here; with
+# tests.c, of those that are programmed
+next_key() {
+    for text in exercises/ch*/*/"$1"; do
+        key_of "$text"
+    done | sort -t . -k 1,1n -k 2,2n | awk -v key="$key" '
+        found { print; exit }
+        $0 == key { found = 1 }'
+}
+
 # The starter of the exercise, as students get it.
 put_starter() {
     if [ -f "$folder/starter.c" ]; then
@@ -70,8 +80,8 @@ quiet_make() {
     LC_ALL=C MAKEFLAGS= MFLAGS= make -s -f $kit/kit.mk "$@"
 }
 
-# The text without the press's markup, references and spaces.
+# The text without the press's markup, references, TeX and spaces.
 plain() {
-    awk -f $kit/references.awk | sed 's/\[\([^]]*\)\]{\.[^}]*}/\1/g' |
+    awk -f $kit/references.awk | awk -f $kit/formulas.awk | sed 's/\[\([^]]*\)\]{\.[^}]*}/\1/g' |
         cat -s | fold -s -w 72 | sed 's/ *$//'
 }

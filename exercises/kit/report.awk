@@ -93,6 +93,8 @@ function before() {
 }
 
 function cell(name, run) {
+    if (status[name, 1] == "does not compile") # over both columns
+        return run == 1 ? "does not" : "compile"
     if (!((name, run) in status))
         return "-"
     return length(status[name, run]) > 10 ? "failed" : status[name, run]

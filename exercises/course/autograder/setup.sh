@@ -1,7 +1,7 @@
 #!/bin/sh
 # Gradescope runs this once, when it builds the container: what grading
 # needs is gcc and make, on Debian or Ubuntu; and unzip, where students
-# may hand in archives.
+# may hand in archives. Then the tests are compiled, for all submissions.
 set -e
 ready() {
     command -v make >/dev/null && command -v cc >/dev/null &&
@@ -15,3 +15,6 @@ if ! ready || ! command -v unzip >/dev/null; then
         --no-install-recommends gcc libc6-dev make unzip || ready
 fi
 ready
+
+cd "$(dirname "$0")"
+./prepare
