@@ -3,6 +3,7 @@
 -- exercises/course/export packs. Written to job.export:
 --
 --   moodle.xml                   all of it, in categories
+--   chapters/moodle-exam-ch04.xml, ...   the parts of it
 --   canvas/imsmanifest.xml       names the files beside it
 --   canvas/exam-ch04.xml, ...    the questions of a chapter
 --   canvas/exercises-ch04.xml    its exercises, as files to hand in
@@ -141,7 +142,7 @@ qti.item = [[
 <qtimetadatafield><fieldlabel>question_type</fieldlabel><fieldentry>@TYPE@</fieldentry></qtimetadatafield>
 <qtimetadatafield><fieldlabel>points_possible</fieldlabel><fieldentry>@POINTS@</fieldentry></qtimetadatafield>
 </qtimetadata></itemmetadata>
-<presentation>
+@RUBRIC@<presentation>
 <material><mattext texttype="text/html">@TEXT@</mattext></material>
 @RESPONSE@</presentation>
 <resprocessing>
@@ -187,6 +188,12 @@ local function qti_essay(q)
     RESPONSE = q.file and "" or TYPED, CONDITION = "<other/>", SET = "" }
 end
 
+-- How an answer is marked, for those who mark it.
+local function qti_rubric(reason)
+  return ('<rubric view="Scorer"><material><mattext texttype="text/html">'
+    .. "%s</mattext></material></rubric>\n"):format(reason)
+end
+
 local responses = { choice = qti_choice, number = qti_number,
   essay = qti_essay }
 
@@ -195,7 +202,9 @@ function qti.write(q, ident)
   t.IDENT, t.TITLE, t.POINTS = ident, escape(q.title), tostring(q.points)
   t.TEXT = escape(html(q.text))
   -- Students see a feedback: an essay's is for those who mark it.
-  t.REASON = q.kind == "essay" and "" or escape(html(q.reason))
+  local essay, reason = q.kind == "essay", escape(html(q.reason))
+  t.REASON = essay and "" or reason
+  t.RUBRIC = essay and reason ~= "" and qti_rubric(reason) or ""
   return fill(qti.item, t)
 end
 
@@ -255,14 +264,21 @@ local function exercises_of(job, id)
   return list
 end
 
+local function quiz(parts)
+  return ("%s<quiz>\n%s</quiz>\n"):format(qti.head, table.concat(parts))
+end
+
 function export.assemble(job)
   numbers = numbering.of_book(job)
   local all, idents = {}, {}
   local function add(ident, title, list)
     if #list == 0 then return end
     table.insert(idents, ident)
-    table.insert(all, moodle.category("Near and Far/" .. title))
-    for _, q in ipairs(list) do table.insert(all, moodle.write(q)) end
+    local part = { moodle.category("Near and Far/" .. title) }
+    for _, q in ipairs(list) do table.insert(part, moodle.write(q)) end
+    table.insert(all, table.concat(part))
+    files.write(("%s/chapters/moodle-%s.xml"):format(job.export, ident),
+      quiz(part))
     files.write(("%s/canvas/%s.xml"):format(job.export, ident),
       qti.assessment(ident, title, list))
   end
@@ -276,8 +292,7 @@ function export.assemble(job)
     add("exercises-" .. id, ("Chapter %d, exercises"):format(
       tonumber(id:sub(3))), exercises_of(job, id))
   end
-  files.write(job.export .. "/moodle.xml", qti.head .. "<quiz>\n"
-    .. table.concat(all) .. "</quiz>\n")
+  files.write(job.export .. "/moodle.xml", quiz(all))
   files.write(job.export .. "/canvas/imsmanifest.xml", qti.manifest(idents))
   return pandoc.List()
 end

@@ -39,6 +39,23 @@ local function cites(blocks)
   return found
 end
 
+-- What it needs, and the chapter in which that is explained.
+local function read_in(exercise)
+  local chapter = exercise.number:match("^%d+")
+  return ("%s%sChapter~%s"):format(exercise.needs,
+    exercise.needs == "" and "" or ", from ", chapter)
+end
+
+-- The course and its instructor, as `make sheet` was told, or neither.
+local function whose()
+  local said = {}
+  for _, name in ipairs { "COURSE", "INSTRUCTOR" } do
+    local value = (os.getenv(name) or ""):gsub("%s+", " ")
+    if value ~= "" then table.insert(said, value) end
+  end
+  return table.concat(said, ", ")
+end
+
 function sheet.assemble(job, meta)
   meta.sheet = true
   meta.title = pandoc.MetaString(job.sheet.title)
@@ -47,6 +64,7 @@ function sheet.assemble(job, meta)
     table.insert(list, read(job, path))
   end
   for _, exercise in ipairs(list) do
+    exercise.needs = read_in(exercise)
     blocks:extend(context.out.exercise(exercise))
     if not exercise.programmed then
       blocks:insert(raw_block("\\markedbyhand"))
@@ -57,8 +75,9 @@ function sheet.assemble(job, meta)
     id = "front", front = true, answers = {} }, how))
   if cites(blocks) then blocks:insert(raw_block("\\literature")) end
   blocks:insert(pandoc.Div({}, { id = "refs" }))
-  blocks:insert(1, raw_block("\\makesheet{%s}{%s}{%s}",
-    latex.text(job.sheet.title), latex.text(job.sheet.due), sum(list)))
+  blocks:insert(1, raw_block("\\makesheet{%s}{%s}{%s}{%s}",
+    latex.text(job.sheet.title), latex.text(job.sheet.due), sum(list),
+    latex.text(whose())))
   blocks:insert(1, numbering.latex(numbering.of_book(job)))
   return blocks
 end

@@ -263,14 +263,23 @@ local function long_date(text)
   return ("%d %s %s"):format(day, months[tonumber(month)] or month, year)
 end
 
--- The day of the latest measurement, or nil.
+-- The days of the first measurement and the latest, "23 to 26 November
+-- 2026", or nil.
 function values.measured()
-  local latest = ""
+  local first, latest
   for _, this in pairs(tables) do
-    latest = (this.head.date or "") > latest and this.head.date
-      or latest
+    local date = this.head.date
+    if date then
+      first = first and first < date and first or date
+      latest = latest and latest > date and latest or date
+    end
   end
-  return latest ~= "" and long_date(latest) or nil
+  if not latest then return nil end
+  first, latest = long_date(first), long_date(latest)
+  if first == latest then return latest end
+  local day, month = first:match("^(%d+)( .*)$")
+  if day and latest:sub(-#month) == month then first = day end
+  return first .. " to " .. latest
 end
 
 -- Machine, compiler, flags and date of a table, as captions say it, and

@@ -40,3 +40,22 @@ check "so does task.md" says 'Exercise 5.5'
 exercises/kit/hint 5.7 >"$said"
 exercises/kit/hint 5.7 >>"$said"
 check "and make hint5.7" says 'Exercise 5.5'
+
+# ---- formulas ------------------------------------------------------------
+while read -r tex plain; do
+    printf 'Of $%s$.\n' "$tex" | tr '~' ' ' | awk -f exercises/kit/formulas.awk >"$said"
+    check "a formula: $plain" reads "Of $(printf '%s' "$plain" | tr '~' ' ' | sed 's/[()^+*.|]/\\&/g')\\."
+done <<'END'
+2^{-24} 2^-24
+2^{2k} 2^(2k)
+n~\log~n n~log~n
+O(\sqrt~N) O(sqrt(N))
+(\sqrt{8m+1}~-~1)/2 (sqrt(8m+1)~-~1)/2
+t~\le~m t~<=~m
+2\lceil\log_2~n\rceil 2~ceil(log_2~n)
+e^{-c\pi~t^2} e^(-c~pi~t^2)
+\mathit{low}~\ge~0 low~>=~0
+END
+echo 'The `a$b` and `$x$` stay, and so does 3 $ and 4 $.' >"$place/dollars"
+awk -f exercises/kit/formulas.awk "$place/dollars" >"$said"
+check "code and prices stay" cmp -s "$place/dollars" "$said"

@@ -73,6 +73,7 @@ check "in the scores as well" \
 cp exercises/ch02/1-nearest-pair/solution.c "$file"
 TEST='' exercises/kit/exercise 2.1 >"$said" 2>&1
 check "the solution ends with status 0" [ $? -eq 0 ]
+check "the next exercise is named" says 'Next: make exercise2.2'
 check "its points are shown" grep -q '10 / 10' "$said"
 check "its points are written" \
     awk -F '\t' 'NR > 1 { p += $2 } END { exit p != 10 }' "$scores"
@@ -95,6 +96,7 @@ echo 'struct pair x(void) { return 0 }' >"$file"
 exercises/kit/exercise 2.1 >"$said" 2>&1
 check "what does not compile" grep -q 'does not compile' "$said"
 check "is told once" [ "$(grep -c 'why .*does not compile' "$said")" -eq 1 ]
+check "and so in the table" grep -q 'does not   compile  *0 / ' "$said"
 check "and without a seed" lacks 'seed\|again'
 check "and loses all" \
     awk -F '\t' 'NR > 1 { n++; p += $2 } END { exit !(n == 2 && p == 0) }' "$scores"
@@ -150,4 +152,5 @@ for text in exercises/ch*/*/exercise.md; do
     check "$key is shown, on paper" grep -q "^Exercise $key: .*on paper" "$said"
     check "$key without hint and answer" lacks_answer
     check "$key without the press's markup" lacks '{[.#]\|]{\|@[a-z]*:\| $'
+    check "$key without TeX" lacks '\$\|\\[a-z]'
 done

@@ -74,6 +74,31 @@ check "nothing is left of our markup" [ ! -s "$said" ]
 same "students are not shown how an essay is marked" 0 "$moodle" \
     '/quiz/question[@type="essay"][generalfeedback/text/text()]'
 
+same "who marks an essay is told how, in QTI" 0 "$place/canvas/exam-ch04.xml" \
+    '//item[.//fieldentry="essay_question"][not(rubric[@view="Scorer"]//mattext/text())]'
+same "and nobody else" 0 "$place/canvas/exam-ch04.xml" \
+    '//item[.//fieldentry="essay_question"][itemfeedback//mattext/text()]'
+
+# ---- one chapter ---------------------------------------------------------
+chapter=$BUILD/export/chapters
+check "each file can be had alone" [ "$(ls "$chapter" | wc -l)" -eq $((4 * chapters)) ]
+mkdir "$place/one"
+(cd "$place/one" && unzip -q "$chapter/canvas-exam-ch04.zip") >"$said" 2>&1
+check "Canvas's is one file and its manifest" [ "$(ls "$place/one" | tr '\n' ' ')" = \
+    "exam-ch04.xml imsmanifest.xml " ]
+same "which names it alone" 1 "$place/one/imsmanifest.xml" '//resource[file/@href="exam-ch04.xml"]'
+same "and nothing else" 1 "$place/one/imsmanifest.xml" '//resource'
+same "Moodle's has the chapter's questions" "$(grep -c '^## ' book/manual/exam/ch04.md)" \
+    "$chapter/moodle-exam-ch04.xml" '/quiz/question[@type!="category"]'
+
+# A bank may draw any question alone.
+for file in book/manual/exam/ch*.md; do
+    awk '/^## / { getline; getline
+        if (/^(The|On the|In the|With the|Of the|For the) same |^(Now|And|Then|Here|There|These|Those|This|It|They) / || /question (above|before)/)
+            print FILENAME ": " $0 }' "$file"
+done >"$said"
+check "each question stands alone" [ ! -s "$said" ]
+
 for file in book/manual/exam/ch*.md; do
     [ "$(grep -c '^## ' "$file")" -ge 5 ] ||
         echo "not ok $file has fewer than five questions"
@@ -116,7 +141,7 @@ Why?
 So.
 :::
 END
-mkdir -p "$place/out/canvas"
+mkdir -p "$place/out/canvas" "$place/out/chapters"
 texlua book/press/press.lua --export "$place/out" --root "$place/book" >"$said" 2>&1
 while IFS= read -r words; do
     check "told: $words" grep -q -F "$words" "$said"

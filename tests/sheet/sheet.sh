@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 place=$(mktemp -d) || exit 1
 trap 'rm -rf "$place"' EXIT
 trap 'exit 1' HUP INT TERM
-unset EXERCISES TITLE DUE WORK GRADES SEED LIMIT TEST PDF MAKEFLAGS MFLAGS
+unset EXERCISES TITLE DUE COURSE INSTRUCTOR WORK GRADES SEED LIMIT TEST PDF MAKEFLAGS MFLAGS
 said=$place/said
 copy=$place/copy
 sheets=$copy/build/sheets
@@ -44,12 +44,15 @@ by_hand=$(cat exercises/ch04/[15]-*/exercise.md | awk '/^points:/ { n += $2 } EN
 
 # ---- a sheet ---------------------------------------------------------
 EXERCISES="4.1 4.2 4.5" TITLE="Homework 2" DUE="Friday & Monday" \
+    COURSE="Algorithms & Machines" INSTRUCTOR="E. Noether" \
     really exercises/course/sheet >"$said" 2>&1
 check "a sheet" [ $? -eq 0 ]
 check "says who marks what" says "autograder: 10 points; by hand: $by_hand (4.1 and 4.5)"
 homework=$sheets/homework-2/homework-2
 really pdftotext -q "$homework.pdf" - >"$said" 2>&1
 check "its title" says "Homework 2"
+check "whose it is" grep -q 'Algorithms .*Machines, E. Noether' "$said"
+check "in which chapter to read" grep -q 'Needs .* from Chapter.*4' "$said"
 check "when it is due" grep -q 'Friday .*Monday' "$said"
 check "what it amounts to" grep -q "3 exercises, $((by_hand + 10)) points" "$said"
 check "how paper is handed in" says "are marked by hand"
@@ -105,15 +108,24 @@ check "another exercise is not on the sheet" says "9.9 is not on this sheet"
 alone make -C homework-2 help >"$said" 2>&1
 check "make help" says "make hint4.2"
 ls -R homework-2 >"$said"
-check "no solution in it" lacks 'solution\|mutants\|course'
+check "no solution in it" lacks 'solution\|mutants\|course\|kit/class\|kit/receive'
 
 # ---- the autograder, with one file in a strange folder ---------------
 mkdir -p "$place/grader/source" "$place/grader/submission/my work"
 cd "$place/grader/source" && unzip -q "$homework-autograder.zip"
 cp "$copy/exercises/ch04/2-how-many-between/solution.c" \
     "../submission/my work/how-many-between.c"
+ready=build/kit/optimized/ch04/2-how-many-between/grader
+if command -v unzip >/dev/null && [ "$plain" != "$PATH" ]; then
+    ln -sf "$(command -v unzip)" "$plain"
+fi
+(cd / && alone "$place/grader/source/setup.sh") >"$said" 2>&1
+check "setup.sh compiles the tests" [ -x $ready ]
+made=$(date -r $ready +%s.%N)
 alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
 check "the autograder" [ $? -eq 0 ]
+check "does not compile them again" [ "$(date -r $ready +%s.%N)" = "$made" ]
+echo another >build/machine
 check "Autolab's line" [ "$(tail -n 1 "$said")" = '{"scores": {"4.2": 10.00}}' ]
 cat >"$place/score.lua" <<'END'
 package.path = arg[1] .. "/tests/?.lua;" .. package.path
@@ -124,9 +136,10 @@ scored() {
         "$place/grader/results/results.json" 2>&1)" = "$1" ]
 }
 check "results.json" scored 10.0
+alone ./prepare >"$said" 2>&1
+check "on another processor they are" [ "$(date -r $ready +%s.%N)" != "$made" ]
 cd "$place/grader" && (cd submission && zip -q -r mine.zip "my work" &&
     rm -r "my work") && cd source
-[ "$plain" = "$PATH" ] || ln -sf "$(command -v unzip)" "$plain"
 alone AUTOGRADER="$place/grader" ./run_autograder >"$said" 2>&1
 check "a zip archive is unpacked" scored 10.0
 echo nonsense >../submission/mine.zip
