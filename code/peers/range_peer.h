@@ -24,7 +24,7 @@ struct range_peer {
 #ifdef __cplusplus
 extern "C" {
 #endif
-extern const struct range_peer range_nanoflann, range_boost;
+extern const struct range_peer range_nanoflann, range_boost, range_cgal;
 #ifdef __cplusplus
 }
 #endif

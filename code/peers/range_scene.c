@@ -2,6 +2,7 @@
 #include "peers/range_scene.h"
 #include "ch12-range-queries/generate_set.h"
 #include "common/experiment.h"
+#include <inttypes.h>
 #include <math.h>
 
 // The distance is that at which half of the points have K within it.
@@ -58,4 +59,25 @@ struct range_scene range_scene_of(const char *kind, uint32_t n, int d)
     choose_distance(&scene);
     draw_boxes(&scene);
     return scene;
+}
+
+void compare_answers(const char *program, const struct range_run *run,
+                     const struct range_scene *scene)
+{
+    const size_t count = (size_t)scene->points.n * K;
+    for (size_t i = 0; run->ns[NEAREST_ONES] > 0 && i < count; i++)
+        if (!(fabs(scene->nearest2[i] - scene->right2[i]) <=
+              1e-12 * scene->right2[i]))
+            fail("%s: neighbor %zu of point %zu is at %.17g, and not "
+                 "at %.17g",
+                 program, i % K, i / K, sqrt(scene->nearest2[i]),
+                 sqrt(scene->right2[i]));
+    if (run->ns[ALL_WITHIN] > 0 &&
+        fabs((double)run->within - scene->within) >
+            1e-6 * scene->within)
+        fail("%s: %" PRIu64 " points within %g, and not %" PRIu64,
+             program, run->within, scene->distance, scene->within);
+    if (run->ns[IN_BOXES] > 0 && run->in_boxes != scene->in_boxes)
+        fail("%s: %" PRIu64 " points in boxes, and not %" PRIu64,
+             program, run->in_boxes, scene->in_boxes);
 }

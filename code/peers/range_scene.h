@@ -5,6 +5,14 @@
 
 enum { K = 8, BOXES = 10000 };
 
+enum task { BUILD, NEAREST_ONES, ALL_WITHIN, IN_BOXES, TASKS };
+
+// What a program has taken, and how many points it has found.
+struct range_run {
+    double ns[TASKS]; // each, but building is of all; 0: not asked
+    uint64_t within, in_boxes;
+};
+
 // The same points in both layouts, the boxes, and the right answers.
 struct range_scene {
     struct point_set points;
@@ -19,3 +27,9 @@ struct range_scene {
 // and in boxes is not known yet. The points are released by
 // point_set_free, the rest belongs to the experiment.
 struct range_scene range_scene_of(const char *kind, uint32_t n, int d);
+
+// Fails if the program's answers, the distances in nearest2 among them,
+// are not the right ones; libraries may have rounded differently. What
+// has not been asked is not compared.
+void compare_answers(const char *program, const struct range_run *run,
+                     const struct range_scene *scene);

@@ -1,32 +1,24 @@
-// Questions about ranges by the structures of chapter 12 and by two
+// Questions about ranges by the structures of chapter 12 and by four
 // libraries, and in the plane by near -k, one thread: the time to
 // build, and for each query the time to find the 8 nearest, all within
 // a distance that has about as many, and the points in boxes. POINTS
 // points in two and three dimensions; each point asks. The answers are
-// compared.
+// compared. SciPy is left out where there is none.
 //     ranges [POINTS [TRIALS]]
 #include "ch12-range-queries/structures.h"
 #include "common/experiment.h"
 #include "peers/range_peer.h"
 #include "peers/range_plane.h"
 #include "peers/range_scene.h"
-#include <inttypes.h>
-#include <math.h>
+#include "peers/range_scipy.h"
 
 enum { MOST_TRIALS = 20 };
 
 static const char *const kinds[] = {"uniform", "clustered", "kuzmin"};
 static const char *const ours[] = {"kd-tree", "cells",
                                    "orthotree-compressed"};
-static const struct range_peer *const peers[] = {&range_nanoflann,
-                                                 &range_boost};
-
-enum task { BUILD, NEAREST_ONES, ALL_WITHIN, IN_BOXES, QUESTIONS };
-
-struct run {
-    double ns[QUESTIONS]; // each, but building is of all; 0: not asked
-    uint64_t within, in_boxes;
-};
+static const struct range_peer *const peers[] = {
+    &range_nanoflann, &range_boost, &range_cgal};
 
 static struct range box_of_row(const double *row, int d)
 {
@@ -72,11 +64,11 @@ static uint64_t boxes_ours(const struct structure *s, const void *built,
     return count;
 }
 
-static struct run run_ours(const struct structure *s,
-                           struct range_scene *scene)
+static struct range_run run_ours(const struct structure *s,
+                                 struct range_scene *scene)
 {
     const double n = scene->points.n;
-    struct run run = {0};
+    struct range_run run = {0};
     int64_t start = clock_ns();
     void *built = s->build(&scene->points, 1);
     run.ns[BUILD] = clock_ns() - start;
@@ -96,11 +88,11 @@ static struct run run_ours(const struct structure *s,
     return run;
 }
 
-static struct run run_peer(const struct range_peer *peer,
-                           struct range_scene *scene)
+static struct range_run run_peer(const struct range_peer *peer,
+                                 struct range_scene *scene)
 {
     const double n = scene->points.n;
-    struct run run = {0};
+    struct range_run run = {0};
     int64_t start = clock_ns();
     void *built =
         peer->build(scene->row, scene->points.n, scene->points.d);
@@ -120,70 +112,49 @@ static struct run run_peer(const struct range_peer *peer,
     return run;
 }
 
-static struct run run_plane(struct range_scene *scene)
+static struct range_run run_plane(struct range_scene *scene)
 {
     const double n = scene->points.n;
     struct plane_times times;
-    struct run run = {.within = answer_in_plane(scene, &times)};
+    struct range_run run = {.within = answer_in_plane(scene, &times)};
     run.ns[BUILD] = times.build;
     run.ns[NEAREST_ONES] = times.nearest / n;
     run.ns[ALL_WITHIN] = times.within / n;
     return run;
 }
 
-// Libraries may have rounded differently.
-static void compare(const char *name, const struct run *run,
-                    struct range_scene *scene)
-{
-    const size_t count = (size_t)scene->points.n * K;
-    for (size_t i = 0; run->ns[NEAREST_ONES] > 0 && i < count; i++)
-        if (fabs(scene->nearest2[i] - scene->right2[i]) >
-            1e-12 * scene->right2[i])
-            fail("%s: neighbor %zu of point %zu is at %.17g, and not "
-                 "at %.17g (squared)",
-                 name, i % K, i / K, sqrt(scene->nearest2[i]),
-                 sqrt(scene->right2[i]));
-    if (run->ns[ALL_WITHIN] > 0 &&
-        fabs((double)run->within - scene->within) >
-            1e-6 * scene->within)
-        fail("%s: %" PRIu64 " points within %g, and not %" PRIu64, name,
-             run->within, scene->distance, scene->within);
-    if (run->ns[IN_BOXES] > 0 && run->in_boxes != scene->in_boxes)
-        fail("%s: %" PRIu64 " points in boxes, and not %" PRIu64, name,
-             run->in_boxes, scene->in_boxes);
-}
-
-// One of the two is NULL; or both, and it is near -k.
+// One of the three is not NULL.
 struct program {
+    const char *name;
     const struct structure *structure;
     const struct range_peer *peer;
+    struct range_run (*run)(struct range_scene *scene);
 };
 
-static struct run run_program(struct program program,
-                              struct range_scene *scene)
+static struct range_run run_program(const struct program *program,
+                                    struct range_scene *scene)
 {
-    if (program.peer)
-        return run_peer(program.peer, scene);
-    return program.structure ? run_ours(program.structure, scene)
-                             : run_plane(scene);
+    if (program->structure)
+        return run_ours(program->structure, scene);
+    return program->peer ? run_peer(program->peer, scene)
+                         : program->run(scene);
 }
 
-static void print_program(struct program program, const char *kind,
-                          struct range_scene *scene, int trials)
+static void print_program(const struct program *program,
+                          const char *kind, struct range_scene *scene,
+                          int trials)
 {
-    const char *name = program.peer        ? program.peer->name
-                       : program.structure ? program.structure->name
-                                           : "near-k";
-    double ns[QUESTIONS][MOST_TRIALS];
+    const char *name = program->name;
+    double ns[TASKS][MOST_TRIALS];
     for (int trial = -1; trial < trials; trial++) {
-        const struct run run = run_program(program, scene);
-        compare(name, &run, scene);
-        for (int q = 0; q < QUESTIONS && trial >= 0; q++)
+        const struct range_run run = run_program(program, scene);
+        compare_answers(name, &run, scene);
+        for (int q = 0; q < TASKS && trial >= 0; q++)
             ns[q][trial] = run.ns[q];
     }
     row_begin("%s_%s_%d\t%s\t%s\t%d\t%u", name, kind, scene->points.d,
               name, kind, scene->points.d, scene->points.n);
-    for (int q = 0; q < QUESTIONS; q++) {
+    for (int q = 0; q < TASKS; q++) {
         const struct summary summary = summarize(ns[q], trials);
         row_times(&summary, q == BUILD ? scene->points.n : 1);
     }
@@ -193,7 +164,8 @@ static void print_program(struct program program, const char *kind,
 // The first structure's answers are taken to be right.
 static void take_as_right(struct range_scene *scene)
 {
-    const struct run run = run_ours(find_structure(ours[0]), scene);
+    const struct range_run run =
+        run_ours(find_structure(ours[0]), scene);
     scene->within = run.within;
     scene->in_boxes = run.in_boxes;
 }
@@ -204,11 +176,33 @@ static bool is_bearable(const char *name, const char *kind)
     return strcmp(name, "cells") != 0 || strcmp(kind, "kuzmin") != 0;
 }
 
+static void print_all(const char *kind, struct range_scene *scene,
+                      bool scipy, int trials)
+{
+    for (int k = 0; k < COUNT_OF(ours); k++)
+        if (is_bearable(ours[k], kind))
+            print_program(
+                &(struct program){ours[k],
+                                  .structure = find_structure(ours[k])},
+                kind, scene, trials);
+    if (scene->points.d == 2)
+        print_program(&(struct program){"near-k", .run = run_plane},
+                      kind, scene, trials);
+    for (int k = 0; k < COUNT_OF(peers); k++)
+        print_program(
+            &(struct program){peers[k]->name, .peer = peers[k]}, kind,
+            scene, trials);
+    if (scipy)
+        print_program(&(struct program){"SciPy", .run = run_scipy},
+                      kind, scene, trials);
+}
+
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 10000, 100, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    const bool scipy = scipy_is_there();
     columns(&e, "name program kind d n build:3 nearest:3 within:3 "
                 "boxes:3");
     for (int d = 2; d <= 3; d++)
@@ -216,17 +210,7 @@ int main(int argc, char **argv)
             struct range_scene scene =
                 range_scene_of(kinds[kind], n, d);
             take_as_right(&scene);
-            for (int k = 0; k < COUNT_OF(ours); k++)
-                if (is_bearable(ours[k], kinds[kind]))
-                    print_program(
-                        (struct program){find_structure(ours[k]), NULL},
-                        kinds[kind], &scene, trials);
-            if (d == 2)
-                print_program((struct program){NULL, NULL}, kinds[kind],
-                              &scene, trials);
-            for (int k = 0; k < COUNT_OF(peers); k++)
-                print_program((struct program){NULL, peers[k]},
-                              kinds[kind], &scene, trials);
+            print_all(kinds[kind], &scene, scipy, trials);
             point_set_free(&scene.points);
             forget();
         }

@@ -5,6 +5,7 @@
 #include "peers/contest.h"
 #include "peers/results.h"
 #include "peers/strips.h"
+#include "ranges.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -274,7 +275,9 @@ static void table(void)
 
 int main(void)
 {
-    return RUN_TESTS("peers", TEST(same_answers), TEST(every_leaf),
-                     TEST(few_trials), TEST(not_run),
-                     TEST(wrong_answers), TEST(strips), TEST(table));
+    return RUN_TESTS(
+        "peers", TEST(same_answers), TEST(every_leaf), TEST(few_trials),
+        TEST(not_run), TEST(wrong_answers), TEST(strips), TEST(table),
+        TEST(wrong_ranges_are_refused), TEST(scipy_answers_rightly),
+        TEST(python_may_be_missing));
 }
