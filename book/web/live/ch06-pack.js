@@ -81,7 +81,7 @@ live("ch06-pack", {
         + "that are kept " + (d.moved.length === 1 ? "goes" : "go")
         + " one place " + step + ": " + d.moved.join(", ") + "." : "No other "
         + "number that is kept goes to another place.")
-        + " Step through it to see why.");
+        + " Go back step by step to see why.");
     }
 
     // After k steps: the sums of the scan come first, then the numbers go

@@ -203,7 +203,7 @@ live("ch07-search", {
     stage.button("Other points", function () { seed++; prepare(); });
     stage.status.after(live.element("p", { "class": "hint" }, "How many of the "
       + "144 searches visit so many cells. Press a number to see such a "
-      + "search, and again to see another one."),
+      + "search, and again, where there are several, to see the next."),
       live.element("div", { "class": "table" }, table));
     prepare();
 

@@ -135,8 +135,8 @@ live("ch08-strip", {
       + without.percent + "%" + (Math.abs(stage.predicted - without.percent) < 4
         ? ", so you are right" : "") + ": " + without.work + " of the 24 · "
       + last + " = " + without.lanes + " lanes. That is the length of a search "
-      + "on average, over that of the longest. Make the longest search longer: "
-      + "which of the two shares falls more?";
+      + "on average, over that of the longest. Make the longest search longer, "
+      + "and see how much of each share is lost.";
     walk.go(last);
 
     return {

@@ -23,9 +23,11 @@ live("ch11-pieces", {
       + "regions of the pieces. Thin: the grid of each piece, where its cells "
       + "are large enough to be seen. Shaded: the piece you chose. Click to go "
       + "into the piece at that place, or, in the picture, use the arrow keys "
-      + "(with Shift, larger steps) and Enter; then zoom out, step by step. A "
-      + "part is cut if its crowding (with how many points a point shares its cell, itself included) is "
-      + "more than 8 and it has 96 points or more."));
+      + "(with Shift, larger steps) and Enter; then zoom out, step by step. "
+      + "Whatever they are, points are first cut into parts of at most 4,096. "
+      + "Then a part is cut again if its crowding (with how many points a point "
+      + "shares its cell, itself included) is more than 8 and it has 96 points "
+      + "or more; what is smaller stays, however it crowds."));
     var words = draw.list(stage, "The largest pieces in words");
 
     // The crowding: with how many points a point shares its cell.
@@ -215,10 +217,12 @@ live("ch11-pieces", {
       + (stage.predicted === most ? ", and so it is. " : ". It is " + names[most]
       + ". ") + "Pieces: " + counts.map(function (n, k) {
         return names[k] + " " + n;
-      }).join(", ") + ". The ten clusters suit one grid well enough, and two "
-      + "clusters are soon parted. Kuzmin’s disc is a crowd in a crowd in a "
-      + "crowd, and each of the towns has to be cut out by itself. Your choice "
-      + "is shown.";
+      }).join(", ") + ". Eight parts of at most 4,096 points are the least "
+      + "for 20,000, and the ten clusters need no more. Kuzmin’s disc is a crowd "
+      + "in a crowd in a crowd. Around a hundred towns there are more borders "
+      + "between crowd and country than around two clusters: a part that has "
+      + "some of both is cut, until it has fewer than 96 points. Your choice is "
+      + "shown.";
 
     // No point is lost, the search through the pieces is right, and towns
     // have the most pieces, counted by their regions.
