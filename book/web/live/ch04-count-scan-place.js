@@ -30,8 +30,6 @@ live("ch04-count-scan-place", {
     var walk = draw.steps(stage, function () { return states.length - 1; },
       show);
 
-    function many(n, one, more) { return n + " " + (n === 1 ? one : more); }
-
     // Every state that the three loops go through; the sums of the scan
     // are the C's.
     function run() {
@@ -49,7 +47,7 @@ live("ch04-count-scan-place", {
       cell.forEach(function (k, i) {
         next[k]++;
         keep("Count: point " + i + " is in cell " + k + ", which has "
-          + many(next[k], "point", "points") + " now.", i, k);
+          + draw.many(next[k], "point", "points") + " now.", i, k);
       });
       var counts = next.slice();
       var at = c.text(new Uint8Array(new Uint32Array(counts).buffer));
@@ -58,7 +56,7 @@ live("ch04-count-scan-place", {
       sums.forEach(function (sum, k) {
         next[k] = sum;
         keep("Scan: " + (k === 0 ? "cell 0 begins at 0." : "cell " + (k - 1)
-          + " begins at " + sums[k - 1] + " and has " + many(counts[k - 1],
+          + " begins at " + sums[k - 1] + " and has " + draw.many(counts[k - 1],
           "point", "points") + ", so cell " + k + " begins at " + sums[k - 1]
           + " + " + counts[k - 1] + " = " + sum + "."), undefined, k);
       });

@@ -19,7 +19,7 @@ live("ch07-search", {
       + "that the search of one of them visits. Click, or move the cross "
       + "with the arrow keys and press Enter, to choose the nearest point as "
       + "the query.", function (x, y) {
-        choose(nearest_to(x, y));
+        choose(draw.nearest(points, x, y));
         return "The query is point " + self + ", at "
           + draw.place(points[self]) + ".";
       });
@@ -41,7 +41,7 @@ live("ch07-search", {
       all = points.map(function (_, i) { return search(i); });
       list(all.map(function (t, i) {
         return "Point " + i + " at " + draw.place(points[i]) + ": "
-          + many(t.length, "cell", "cells");
+          + draw.many(t.length, "cell", "cells");
       }));
       choose(longest());
     }
@@ -50,15 +50,6 @@ live("ch07-search", {
       return all.reduce(function (best, t, i) {
         return t.length > all[best].length ? i : best;
       }, 0);
-    }
-
-    function nearest_to(x, y) {
-      var best = Infinity, found = 0;
-      points.forEach(function (q, i) {
-        var d = Math.hypot(q[0] - x, q[1] - y);
-        if (d < best) { best = d; found = i; }
-      });
-      return found;
     }
 
     function choose(i) {
@@ -99,8 +90,6 @@ live("ch07-search", {
     function widths(d) { // as the table of the text has them
       return (d / (grid.x[1] - grid.x[0])).toFixed(2);
     }
-    function many(n, one, more) { return n + " " + (n === 1 ? one : more); }
-
     // How many searches visit how many cells; a button chooses such a
     // search, and the next one when it is pressed again.
     function tally() {
@@ -113,7 +102,7 @@ live("ch07-search", {
       });
       lengths.forEach(function (count, length) {
         var b = live.element("button", { type: "button", "aria-label":
-          "A search of " + many(length, "cell", "cells"), "aria-pressed":
+          "A search of " + draw.many(length, "cell", "cells"), "aria-pressed":
           String(length === trace.length) }, String(length));
         b.addEventListener("click", function () {
           var of_length = function (_, k) {
@@ -172,7 +161,7 @@ live("ch07-search", {
       });
       p.cross();
       stage.say(k === 0 ? "The search of the large dot, point " + self + ": "
-        + many(trace.length, "cell", "cells") + ". Step through it, or choose "
+        + draw.many(trace.length, "cell", "cells") + ". Step through it, or choose "
         + "another point. " + about_all()
         : k === first + 1 ? between(first, d)
           : visit(visited, now, visited <= first, sum)
@@ -182,7 +171,7 @@ live("ch07-search", {
     function visit(k, v, in_one, sum) {
       return "Visit " + k + " of " + trace.length + ", layer " + layer(trace, v)
         + ", phase " + (in_one ? "one" : "two") + ": "
-        + (v.compared ? many(v.compared, "point", "points") : "no point")
+        + (v.compared ? draw.many(v.compared, "point", "points") : "no point")
         + " compared there, " + sum + " in all. " + (v.nearest === null
         ? "No candidate yet." : "The best is "
         + widths(distance(self, v.nearest)) + " widths of a cell away.");
@@ -191,7 +180,7 @@ live("ch07-search", {
     function between(first, d) {
       var more = trace.length - first;
       return "Phase one is over, with D = " + widths(d) + " widths of a cell. "
-        + "The square of side 2D meets " + (more ? many(more, "cell", "cells")
+        + "The square of side 2D meets " + (more ? draw.many(more, "cell", "cells")
         + " more: " + (more === 1 ? "it is" : "they are") + " phase two."
         : "no other cell of the grid: there is nothing left for phase two, "
         + "and this is the neighbor.");

@@ -17,7 +17,7 @@ live("ch09-three-spans", {
     var points, sorted, place, start, grid, right2, batches;
     var p = draw.plane(stage, N + " points in a grid of cells, the block of "
       + "the query in three colors, and a line to what it finds.",
-      function (x, y) { return show(place[nearest_to(x, y)]); });
+      function (x, y) { return show(place[draw.nearest(points, x, y)]); });
     var bar = draw.picture(stage, 460, 74, "The sorted points in memory: the "
       + "rows of the block are spans of them.");
     var spans = live.element("p", { "class": "hint" });
@@ -53,17 +53,6 @@ live("ch09-three-spans", {
     }).selectedIndex = fill;
     stage.choice("Points", names, function (k) { kind = k; prepare(); });
     stage.button("Other points", function () { seed++; prepare(); });
-
-    function many(n, word) { return n + " " + word + (n === 1 ? "" : "s"); }
-
-    function nearest_to(x, y) {
-      var best = 0;
-      points.forEach(function (q, i) {
-        if (Math.hypot(q[0] - x, q[1] - y) < Math.hypot(points[best][0] - x,
-          points[best][1] - y)) best = i;
-      });
-      return best;
-    }
 
     // The grid fills the picture.
     function prepare() {
@@ -194,14 +183,14 @@ live("ch09-three-spans", {
         spans.append(live.element("br"),
           live.element("span", { "class": "key " + rows[r] }), " row " + q.row
           + ", from start[" + q.first + "] = " + q.from + " to before start["
-          + q.end + "] = " + q.to + ": " + many(q.to - q.from, "point"));
+          + q.end + "] = " + q.to + ": " + draw.many(q.to - q.from, "point"));
       });
     }
 
     function one(b) {
       var a = b.answers[0];
       return "The query is compared with the points of "
-        + many(b.spans.length, "span") + ", " + many(b.shared, "point")
+        + draw.many(b.spans.length, "span") + ", " + draw.many(b.shared, "point")
         + ", itself included. " + (a.sure ? "It is sure." : a.found >= N
         ? "It finds none." : "It is not sure" + (a.right
         ? ", although what it finds is its nearest." : ", and a nearer point is "
@@ -210,8 +199,8 @@ live("ch09-three-spans", {
 
     function several(b) {
       return (b.width > 1 ? b.width + " queries share " : "One query has ")
-        + many(b.shared, "candidate") + " in "
-        + many(b.spans.length, "span") + (b.width < 8
+        + draw.many(b.shared, "candidate") + " in "
+        + draw.many(b.spans.length, "span") + (b.width < 8
         ? " (fewer than eight: here a row ends)" : "") + "; "
         + (b.unsure ? b.unsure + (b.unsure === 1 ? " is" : " are") + " not sure."
         : b.width > 1 ? "all are sure." : "it is sure.");

@@ -44,22 +44,11 @@ live("ch10-corner-trick", {
           return 0.015 + 0.97 * (q[k] - r.low) / r.size;
         });
       });
-      query = nearest_to(0.22, 0.3);
-    }
-
-    function many(n, word) { return n + " " + word + (n === 1 ? "" : "s"); }
-
-    function nearest_to(x, y) {
-      var best = 0;
-      points.forEach(function (q, i) {
-        if (Math.hypot(q[0] - x, q[1] - y) < Math.hypot(points[best][0] - x,
-          points[best][1] - y)) best = i;
-      });
-      return best;
+      query = draw.nearest(points, 0.22, 0.3);
     }
 
     function act(x, y) {
-      var i = nearest_to(x, y), words;
+      var i = draw.nearest(points, x, y), words;
       if (!put) {
         query = i;
         words = "The query is point " + i + ", at " + draw.place(points[i]) + ".";
@@ -162,12 +151,12 @@ live("ch10-corner-trick", {
 
     function verdict(o) {
       if (o.outside.length) {
-        return many(o.outside.length, "point") + (o.outside.length === 1
+        return draw.many(o.outside.length, "point") + (o.outside.length === 1
           ? " is" : " are") + " outside of the circle, so the trick must be "
           + "right.";
       }
       return "No point is outside of the circle. " + (!wrong(query)
-        ? "Among the " + many(o.searched, "point") + " of the blue cells the "
+        ? "Among the " + draw.many(o.searched, "point") + " of the blue cells the "
         + "furthest happens to be: right, by luck." : "The trick is wrong: "
         + (now.found[query] < now.n ? "the best of the blue cells, "
         + Math.sqrt(now.found2[query]).toFixed(3) + " away, is not as far as a "
@@ -180,7 +169,7 @@ live("ch10-corner-trick", {
       ask();
       var o = circle(query), w = all_wrong().length;
       draw_all(o);
-      stage.say("The corner cell has " + (o.corner ? many(o.corner, "point")
+      stage.say("The corner cell has " + (o.corner ? draw.many(o.corner, "point")
         : "no point") + ". " + verdict(o) + " It searches " + o.cells.length
         + " of " + M * M + " cells here. Of the " + now.n
         + " points as queries, it is wrong for " + (w ? w : "none") + ".");

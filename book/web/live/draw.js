@@ -178,6 +178,22 @@ var draw = (function () {
     return { go: go, at: function () { return now; } };
   }
 
+  // ---- words and points -------------------------------------------------------
+  // One point, two points; more, where it is not one with an s.
+  function many(n, one, more) {
+    return n + " " + (n === 1 ? one : more || one + "s");
+  }
+
+  // The number of the point that is nearest to a place.
+  function nearest(points, x, y) {
+    var best = 0;
+    points.forEach(function (q, i) {
+      if (Math.hypot(q[0] - x, q[1] - y) < Math.hypot(points[best][0] - x,
+        points[best][1] - y)) best = i;
+    });
+    return best;
+  }
+
   return { picture: picture, plane: plane, boxes: boxes, steps: steps,
-    list: list, place: place, BOX: BOX };
+    list: list, place: place, many: many, nearest: nearest, BOX: BOX };
 })();
