@@ -1,5 +1,5 @@
 // Boost.Geometry's R-tree, packed, in two and three dimensions.
-#include "peers/range_peer.h"
+#include "peers/range_asked.h"
 #define BOOST_ALLOW_DEPRECATED_HEADERS // its own use of them
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -10,13 +10,6 @@ namespace
 {
 namespace bg = boost::geometry;
 namespace bgi = boost::geometry::index;
-
-struct asked {
-    virtual ~asked() = default;
-    virtual void nearest(uint32_t k, uint32_t *to, double *to2) = 0;
-    virtual uint64_t within(double distance) = 0;
-    virtual uint64_t boxes(const double *box, uint32_t count) = 0;
-};
 
 template <int D> struct built : asked {
     using place = bg::model::point<double, D, bg::cs::cartesian>;
@@ -105,37 +98,7 @@ template <int D> struct built : asked {
         return all;
     }
 };
-
-void *build(const double *point, uint32_t n, int d)
-{
-    asked *made = nullptr;
-    if (d == 2)
-        made = new built<2>(point, n);
-    else
-        made = new built<3>(point, n);
-    return made;
-}
-
-void nearest(void *made, uint32_t k, uint32_t *to, double *to2)
-{
-    static_cast<asked *>(made)->nearest(k, to, to2);
-}
-
-uint64_t within(void *made, double distance)
-{
-    return static_cast<asked *>(made)->within(distance);
-}
-
-uint64_t boxes(void *made, const double *box, uint32_t count)
-{
-    return static_cast<asked *>(made)->boxes(box, count);
-}
-
-void discard(void *made)
-{
-    delete static_cast<asked *>(made);
-}
 } // namespace
 
-const struct range_peer range_boost = {"boost-rtree", build, nearest,
-                                       within,        boxes, discard};
+const struct range_peer range_boost = {
+    "boost-rtree", build<built>, nearest, within, boxes, discard};

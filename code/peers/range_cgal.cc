@@ -1,6 +1,6 @@
 // CGAL's k-d tree in two and three dimensions. The tree keeps the
 // coordinates in the order of its leaves, as in cgal.cc.
-#include "peers/range_peer.h"
+#include "peers/range_asked.h"
 #include <CGAL/Fuzzy_iso_box.h>
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>
@@ -18,13 +18,6 @@
 namespace
 {
 enum { LEAF = 32 }; // of 10, 16 and 32 the fastest in all
-
-struct asked {
-    virtual ~asked() = default;
-    virtual void nearest(uint32_t k, uint32_t *to, double *to2) = 0;
-    virtual uint64_t within(double distance) = 0;
-    virtual uint64_t boxes(const double *box, uint32_t count) = 0;
-};
 
 using kernel = CGAL::Simple_cartesian<double>;
 
@@ -109,37 +102,7 @@ template <int D> struct built : asked {
         return all;
     }
 };
-
-void *build(const double *point, uint32_t n, int d)
-{
-    asked *made = nullptr;
-    if (d == 2)
-        made = new built<2>(point, n);
-    else
-        made = new built<3>(point, n);
-    return made;
-}
-
-void nearest(void *made, uint32_t k, uint32_t *to, double *to2)
-{
-    static_cast<asked *>(made)->nearest(k, to, to2);
-}
-
-uint64_t within(void *made, double distance)
-{
-    return static_cast<asked *>(made)->within(distance);
-}
-
-uint64_t boxes(void *made, const double *box, uint32_t count)
-{
-    return static_cast<asked *>(made)->boxes(box, count);
-}
-
-void discard(void *made)
-{
-    delete static_cast<asked *>(made);
-}
 } // namespace
 
-const struct range_peer range_cgal = {"CGAL", build, nearest,
-                                      within, boxes, discard};
+const struct range_peer range_cgal = {"CGAL", build<built>, nearest,
+                                      within, boxes,        discard};

@@ -1,5 +1,5 @@
 // nanoflann's k-d tree in two and three dimensions.
-#include "peers/range_peer.h"
+#include "peers/range_asked.h"
 #include <nanoflann.hpp>
 #include <utility>
 #include <vector>
@@ -7,12 +7,6 @@
 namespace
 {
 enum { LEAF = 16 }; // of 10, 16 and 32 the fastest in all
-
-struct asked {
-    virtual ~asked() = default;
-    virtual void nearest(uint32_t k, uint32_t *to, double *to2) = 0;
-    virtual uint64_t within(double distance) = 0;
-};
 
 template <int D> struct cloud {
     const double *point;
@@ -74,32 +68,7 @@ template <int D> struct built : asked {
         return count;
     }
 };
-
-void *build(const double *point, uint32_t n, int d)
-{
-    asked *made = nullptr;
-    if (d == 2)
-        made = new built<2>(point, n);
-    else
-        made = new built<3>(point, n);
-    return made;
-}
-
-void nearest(void *made, uint32_t k, uint32_t *to, double *to2)
-{
-    static_cast<asked *>(made)->nearest(k, to, to2);
-}
-
-uint64_t within(void *made, double distance)
-{
-    return static_cast<asked *>(made)->within(distance);
-}
-
-void discard(void *made)
-{
-    delete static_cast<asked *>(made);
-}
 } // namespace
 
 const struct range_peer range_nanoflann = {
-    "nanoflann", build, nearest, within, nullptr, discard};
+    "nanoflann", build<built>, nearest, within, nullptr, discard};
