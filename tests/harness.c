@@ -171,30 +171,6 @@ bool check_fails(const char *file, int line, const char *sentence,
     return false;
 }
 
-// ---- what is right -------------------------------------------------
-void search_plainly(const struct question *question,
-                    struct answers *answers)
-{
-    struct points p = question->points;
-    for (uint32_t i = 0; i < p.n; i++) {
-        uint32_t near = i == 0, far = near; // the first other point
-        double near2 = INFINITY, far2 = 0;
-        for (uint32_t j = 0; j < p.n; j++) {
-            double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j];
-            double close2 = closest2(question->space, dx, dy);
-            double wide2 = furthest2(question->space, dx, dy);
-            if (j != i && close2 < near2)
-                near = j, near2 = close2;
-            if (j != i && wide2 > far2)
-                far = j, far2 = wide2;
-        }
-        answers->nearest[i] = near;
-        answers->nearest2[i] = near2;
-        answers->furthest[i] = far;
-        answers->furthest2[i] = far2;
-    }
-}
-
 // ---- running and reporting -----------------------------------------
 static FILE *xml;
 static int64_t started;

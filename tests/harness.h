@@ -57,6 +57,14 @@ bool check_fails(const char *file, int line, const char *sentence,
 void search_plainly(const struct question *question,
                     struct answers *answers);
 
+// Others, the near ones first, of those that are as near the one with
+// the lower index.
+struct other {
+    double distance2;
+    uint32_t index;
+};
+void sort_plainly(struct other *others, uint32_t count);
+
 // A test program is one line:
 // int main(void) { return RUN_TESTS("ch02", TEST(one), TEST(two)); }
 struct test {

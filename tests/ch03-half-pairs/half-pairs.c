@@ -61,8 +61,8 @@ static void check_versions(struct points points, struct space space,
     struct question question = {points, space, 1};
     struct answers right = expected(&question);
     struct answers found = answers_allocate(points.n);
-    for (int v = 0; v < VERSIONS; v++)
-        for (int threads = 1; threads <= 4; threads *= 2) {
+    for (int threads = 1; threads <= 4; threads *= 2)
+        for (int v = 0; v < VERSIONS; v++) {
             if (versions[v].run == triangle_queue && points.n > 100)
                 continue; // four queues a pair take their time
             question.threads = threads;

@@ -47,12 +47,15 @@ static void check_points(struct points points, struct space space,
     struct question question = {points, space, 1};
     struct answers right = answers_allocate(points.n);
     search_plainly(&question, &right);
-    for (int k = 0; k < 4; k++)
-        for (int d = 0; d < 3; d++) {
-            question.threads = 1 << (k + d + points.n) % 3;
-            check_strip(&question, densities[d], kernels, lengths[k],
-                        &right, what);
-        }
+    // Another number of threads means new threads: not at each strip.
+    for (uint32_t t = 0; t < 3; t++)
+        for (uint32_t k = 0; k < 4; k++)
+            for (uint32_t d = 0; d < 3; d++) {
+                question.threads = 1 << t;
+                if ((k + d + points.n) % 3 == t)
+                    check_strip(&question, densities[d], kernels,
+                                lengths[k], &right, what);
+            }
     answers_free(&right);
 }
 

@@ -113,7 +113,9 @@ static inline void check_spans_of(const struct span_kernels *kernels,
         struct sorted sorted =
             sorted_make(&question, span_densities[k]);
         const struct scene scene = {space, &sorted, kernels};
-        for (int mode = 0; mode < MODES; mode++) {
+        // Where cells are few, pruned queries see whole blocks, too.
+        const int modes = span_densities[k] > 4 ? WHOLE : MODES;
+        for (int mode = 0; mode < modes; mode++) {
             search_in_pieces(&scene, mode, k % 2 ? UINT32_MAX : 13,
                              &found);
             check_span_answers(&checked, &question, span_densities[k],

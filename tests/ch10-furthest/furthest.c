@@ -51,8 +51,8 @@ static void check_far(const char *name, struct points points)
     for (int g = STANDARD; g <= WRAPAROUND; g++) {
         struct question question = ask(points, g, 1);
         search_plainly(&question, &right);
-        for (int row = 0; row < 3; row++)
-            for (int threads = 1; threads <= 4; threads *= 2) {
+        for (int threads = 1; threads <= 4; threads *= 2)
+            for (int row = 0; row < 3; row++) {
                 const struct algorithm *a = find_algorithm(rows[row]);
                 if (!(a->geometries & g))
                     continue;

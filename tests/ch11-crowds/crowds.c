@@ -87,24 +87,23 @@ static void check_one(const char *name, const struct question *question,
     answers_free(&found);
 }
 
-static void check_points(const char *name, struct points points)
+static void check_points(const char *name, struct points points,
+                         int threads)
 {
     struct answers right = answers_allocate(points.n);
     for (int g = STANDARD; g <= WRAPAROUND; g++) {
-        struct question question = question_of(points, g, 1);
+        struct question question = question_of(points, g, threads);
         if (!isfinite(question.space.width) ||
             !isfinite(question.space.height))
             continue;
         search_plainly(&question, &right);
-        for (int threads = 1; threads <= 4; threads *= 2) {
-            question.threads = threads;
-            check_one(name, &question, &right);
-        }
+        check_one(name, &question, &right);
     }
     answers_free(&right);
 }
 
-static void every_generator(void)
+// Another number of threads means new threads: not at each set.
+static void check_generators(int threads)
 {
     static const uint32_t lengths[] = {2, 3, 4, 7, 8, 95, 257, 2000};
     const uint32_t most = at_most("MOST_POINTS", 2000);
@@ -115,9 +114,15 @@ static void every_generator(void)
             test_seed(k);
             struct points points =
                 generate(&distributions[d], lengths[k], k);
-            check_points(distributions[d].name, points);
+            check_points(distributions[d].name, points, threads);
             points_free(&points);
         }
+}
+
+static void every_generator(void)
+{
+    for (int threads = 1; threads <= 4; threads *= 2)
+        check_generators(threads);
 }
 
 // So many points that there are cuts, judged by the tiles of chapter 2.
@@ -152,7 +157,7 @@ static struct points with_a_heavy_place(uint32_t n, double share,
 static void tens_of_thousands(void)
 {
     static const double shares[] = {0.5, 0.8, 0.9, 0.97, 0.99};
-    const uint32_t n = at_most("MOST_POINTS", 40000);
+    const uint32_t n = at_most("MOST_POINTS", 80000) / 2;
     for (int d = 0; d < distribution_count; d++) {
         test_seed(2);
         struct points points = generate(&distributions[d], n, 2);
@@ -170,7 +175,7 @@ static void tens_of_thousands(void)
 }
 
 static void check_moved(const char *name, double scale, double x,
-                        double y)
+                        double y, int threads)
 {
     for (int d = 0; d < distribution_count; d++) {
         struct points points = generate(&distributions[d], 400, 5);
@@ -181,41 +186,48 @@ static void check_moved(const char *name, double scale, double x,
             points.x[i] = x + scale * points.x[i];
             points.y[i] = y + scale * points.y[i];
         }
-        check_points(what, points);
+        check_points(what, points, threads);
         points_free(&points);
     }
 }
 
 static void moved_and_stretched(void)
 {
-    check_moved("far off", 1, 1e8, -1e8);
-    check_moved("very far off", 1, 1e15, 3e15);
-    check_moved("tiny", 1e-150, 0, 0);
-    check_moved("vanishing", 1e-161, 0, 0);
-    check_moved("hardly there", 1e-310, 0, 0);
-    check_moved("huge", 1e140, -5e139, 0);
-    check_moved("overflowing", 1e154, 0, 0);
-    check_moved("beyond all bounds", 1e297, 0, 0);
+    for (int t = 1; t <= 4; t *= 2) {
+        check_moved("far off", 1, 1e8, -1e8, t);
+        check_moved("very far off", 1, 1e15, 3e15, t);
+        check_moved("tiny", 1e-150, 0, 0, t);
+        check_moved("vanishing", 1e-161, 0, 0, t);
+        check_moved("hardly there", 1e-310, 0, 0, t);
+        check_moved("huge", 1e140, -5e139, 0, t);
+        check_moved("overflowing", 1e154, 0, 0, t);
+        check_moved("beyond all bounds", 1e297, 0, 0, t);
+    }
 }
 
 // Few different coordinates: ties, duplicates, lines of equal x.
+static void check_ties(uint64_t seed, int threads)
+{
+    test_seed(seed);
+    struct random random = {seed};
+    const uint32_t n = 2 + random_bits(&random) % 600;
+    const int columns = 1 + random_bits(&random) % 20;
+    const int rows = 1 + random_bits(&random) % 20;
+    struct points points = points_allocate(n);
+    for (uint32_t i = 0; i < n; i++) {
+        points.x[i] =
+            (double)(random_bits(&random) % columns) / columns;
+        points.y[i] = (double)(random_bits(&random) % rows) / rows;
+    }
+    check_points("ties", points, threads);
+    points_free(&points);
+}
+
 static void ties(void)
 {
-    for (uint64_t seed = 0; seed < 60; seed++) {
-        test_seed(seed);
-        struct random random = {seed};
-        const uint32_t n = 2 + random_bits(&random) % 600;
-        const int columns = 1 + random_bits(&random) % 20;
-        const int rows = 1 + random_bits(&random) % 20;
-        struct points points = points_allocate(n);
-        for (uint32_t i = 0; i < n; i++) {
-            points.x[i] =
-                (double)(random_bits(&random) % columns) / columns;
-            points.y[i] = (double)(random_bits(&random) % rows) / rows;
-        }
-        check_points("ties", points);
-        points_free(&points);
-    }
+    for (int threads = 1; threads <= 4; threads *= 2)
+        for (uint64_t seed = 0; seed < 60; seed++)
+            check_ties(seed, threads);
 }
 
 // ---- counts --------------------------------------------------------
@@ -678,7 +690,7 @@ static void what_deceives_the_sample(void)
     CHECK(each[1] < 1.5 * each[0], "%.1f and %.1f distances", each[0],
           each[1]);
     struct points few = rimmed_disc(3000);
-    check_points("rimmed disc", few);
+    check_points("rimmed disc", few, 2);
     points_free(&few);
 }
 

@@ -16,45 +16,32 @@
 static const int threads[] = {1, 2, 4};
 
 // ---- the plain way -------------------------------------------------
-static int sign(double x)
-{
-    return (x > 0) - (x < 0);
-}
-
-// By distance, then by index.
-static int before(const void *one, const void *other)
-{
-    const struct found *a = one, *b = other;
-    const int order = sign(a->distance2 - b->distance2);
-    return order ? order : sign((double)a->index - b->index);
-}
-
 // The n - 1 others of point i, in their order.
-static void sort_plainly(const struct question *question, uint32_t i,
-                         struct found *others)
+static void sort_others(const struct question *question, uint32_t i,
+                        struct other *others)
 {
     const struct points p = question->points;
     uint32_t count = 0;
     for (uint32_t j = 0; j < p.n; j++)
         if (j != i)
-            others[count++] = (struct found){closest2(question->space,
+            others[count++] = (struct other){closest2(question->space,
                                                       p.x[j] - p.x[i],
                                                       p.y[j] - p.y[i]),
                                              j};
-    qsort(others, count, sizeof *others, before);
+    sort_plainly(others, count);
 }
 
 // For all points: those of point i begin at i n.
-static struct found *sort_all_plainly(const struct question *question)
+static struct other *sort_all(const struct question *question)
 {
     const uint32_t n = question->points.n;
-    struct found *order = allocate((uint64_t)n * n, sizeof *order);
+    struct other *order = allocate((uint64_t)n * n, sizeof *order);
     for (uint32_t i = 0; i < n; i++)
-        sort_plainly(question, i, order + (uint64_t)i * n);
+        sort_others(question, i, order + (uint64_t)i * n);
     return order;
 }
 
-static uint32_t count_plainly(const struct found *others, uint32_t n,
+static uint32_t count_plainly(const struct other *others, uint32_t n,
                               double reach2)
 {
     uint32_t count = 0;
@@ -83,7 +70,7 @@ static void lists_free(struct neighbor_lists *lists)
 }
 
 static void check_list(const struct neighbor_lists *lists, uint32_t i,
-                       const struct found *others, const char *name)
+                       const struct other *others, const char *name)
 {
     const uint64_t start = list_start(lists, i);
     const uint32_t count = list_start(lists, i + 1) - start;
@@ -101,7 +88,7 @@ static void check_list(const struct neighbor_lists *lists, uint32_t i,
 struct setting {
     uint32_t n;
     const struct plane_index *index;
-    const struct found *order;
+    const struct other *order;
     const char *name;
 };
 
@@ -144,49 +131,12 @@ static void check_within(const struct setting *s, double reach2)
 }
 
 // ---- every kind of points ------------------------------------------
-typedef void check_function(const struct setting *setting);
-
 static bool in_unit_square(struct points p)
 {
     for (uint32_t i = 0; i < p.n; i++)
         if (p.x[i] < 0 || p.x[i] > 1 || p.y[i] < 0 || p.y[i] > 1)
             return false;
     return true;
-}
-
-static void check_points(struct points points, const char *name,
-                         check_function *check)
-{
-    for (int g = STANDARD; g <= WRAPAROUND; g++) {
-        if (g == WRAPAROUND && !in_unit_square(points))
-            continue;
-        struct workspace workspace = {0};
-        struct question question = {
-            points, {g, 1, 1}, 1, .workspace = &workspace};
-        struct found *order = sort_all_plainly(&question);
-        for (int t = 0; t < 3; t++) {
-            question.threads = threads[t];
-            const struct plane_index index =
-                plane_index_make(&question, &workspace);
-            check(&(struct setting){points.n, &index, order, name});
-            workspace_free(&workspace);
-        }
-        free(order);
-    }
-}
-
-static void check_all_kinds(check_function *check)
-{
-    static const uint32_t sizes[] = {2, 3, 20, 600};
-    for (int row = 0; row < distribution_count; row++)
-        for (int size = 0; size < 4; size++) {
-            const uint32_t n = at_most("MOST_POINTS", sizes[size]);
-            test_seed(size + 1);
-            struct points points =
-                generate(&distributions[row], n, size + 1);
-            check_points(points, distributions[row].name, check);
-            points_free(&points);
-        }
 }
 
 static void check_some_k(const struct setting *s)
@@ -196,25 +146,51 @@ static void check_some_k(const struct setting *s)
         check_nearest(s, some[k]);
 }
 
-void k_nearest_in_the_plane(void)
-{
-    check_all_kinds(check_some_k);
-}
-
 // Distances that some points just have, none, and all.
 static void check_some_distances(const struct setting *s)
 {
     const uint32_t n = s->n;
-    const struct found *others = s->order + (uint64_t)(n / 2) * n;
+    const struct other *others = s->order + (uint64_t)(n / 2) * n;
     check_within(s, 0);
     check_within(s, others[(n - 2) / 20].distance2);
     check_within(s, others[(n - 2) / 3].distance2);
     check_within(s, INFINITY);
 }
 
-void within_in_the_plane(void)
+static void check_points(struct points points, const char *name)
 {
-    check_all_kinds(check_some_distances);
+    for (int g = STANDARD; g <= WRAPAROUND; g++) {
+        if (g == WRAPAROUND && !in_unit_square(points))
+            continue;
+        struct workspace workspace = {0};
+        struct question question = {
+            points, {g, 1, 1}, 1, .workspace = &workspace};
+        struct other *order = sort_all(&question);
+        for (int t = 0; t < 3; t++) {
+            question.threads = threads[t];
+            const struct plane_index index =
+                plane_index_make(&question, &workspace);
+            const struct setting s = {points.n, &index, order, name};
+            check_some_k(&s);
+            check_some_distances(&s);
+            workspace_free(&workspace);
+        }
+        free(order);
+    }
+}
+
+void neighbors_in_the_plane(void)
+{
+    static const uint32_t sizes[] = {2, 3, 20, 333};
+    for (int row = 0; row < distribution_count; row++)
+        for (int size = 0; size < 4; size++) {
+            const uint32_t n = at_most("MOST_POINTS", sizes[size]);
+            test_seed(size + 1);
+            struct points points =
+                generate(&distributions[row], n, size + 1);
+            check_points(points, distributions[row].name);
+            points_free(&points);
+        }
 }
 
 // ---- blocks --------------------------------------------------------
@@ -227,7 +203,7 @@ void lists_by_blocks(void)
         points, {STANDARD, 0, 0}, 2, .workspace = &workspace};
     const struct plane_index index =
         plane_index_make(&question, &workspace);
-    struct found *order = sort_all_plainly(&question);
+    struct other *order = sort_all(&question);
     const struct setting s = {N, &index, order, "a block"};
     for (uint32_t first = 0; first < N; first += BLOCK) {
         const uint32_t last = MIN(first + BLOCK, N);

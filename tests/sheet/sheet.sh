@@ -72,7 +72,7 @@ EXERCISES="4.1 4.5" \
 check "a long title, and nothing programmed" says "autograder: 0 points"
 EXERCISES="4.2 4.4" \
     TITLE="Algorithms & Data Structures 1, Homework 3: Cells & Counting" \
-    really exercises/course/sheet >"$said" 2>&1
+    quickly exercises/course/sheet >"$said" 2>&1
 check "a long title" says "algorithms-data-structures-1-homework-3.tar.gz  for students"
 rm -r "$sheets/algorithms"* "$sheets/data"*
 

@@ -289,7 +289,7 @@ static void large(uint64_t seed)
     scatter(100000, 200, seed);
     check_looks();
     kit_next_case();
-    stray(50000, 20, seed);
+    stray(10000, 20, seed);
     check_looks();
 }
 
