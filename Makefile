@@ -145,7 +145,7 @@ $(foreach c,$(mains),$(eval $(call link_rule,$(call program_of,$(c)),$(call obje
 # ---- tests ---------------------------------------------------------
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
 # The longest first, or one would be left alone with a processor.
-longest       := exercises press sheet corpus grade release
+longest       := exercises press sheet corpus grade release manual ch11-crowds
 all_tests     := $(filter-out web,$(patsubst tests/%/.,%,$(wildcard tests/*/.)))
 TESTS         ?= $(filter $(all_tests),$(longest)) $(filter-out $(longest),$(all_tests))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)

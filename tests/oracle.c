@@ -9,13 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The lowest index of a point that is so far away, but for i itself.
-static uint32_t find(double wanted, const double *distance2, uint32_t i)
+// The lowest index of a point that is so far away, but for i itself; or
+// of the first other, if all are further away than numbers reach.
+static uint32_t find(double wanted, const double *distance2, uint32_t n,
+                     uint32_t i)
 {
     uint32_t j = 0;
-    while (j == i || distance2[j] != wanted)
+    while (j < n && (j == i || distance2[j] != wanted))
         j++;
-    return j;
+    return j < n ? j : i == 0;
 }
 
 void search_plainly(const struct question *question,
@@ -39,12 +41,10 @@ void search_plainly(const struct question *question,
             near2 = close2[j] < near2 ? close2[j] : near2;
             far2 = wide2[j] > far2 ? wide2[j] : far2;
         }
-        const uint32_t other = i == 0; // the first, where all tie
-        answers->nearest[i] =
-            near2 < INFINITY ? find(near2, close2, i) : other;
-        answers->nearest2[i] = near2;
-        answers->furthest[i] = far2 > 0 ? find(far2, wide2, i) : other;
-        answers->furthest2[i] = far2;
+        answers->nearest[i] = find(near2, close2, p.n, i);
+        answers->nearest2[i] = close2[answers->nearest[i]];
+        answers->furthest[i] = find(far2, wide2, p.n, i);
+        answers->furthest2[i] = wide2[answers->furthest[i]];
     }
     free(wide2);
     free(close2);

@@ -1,36 +1,11 @@
 // One option after the other, then what they say together.
 #include "contact/options.h"
 #include "common/fail.h"
+#include "near/command.h"
 #include "near/threads.h"
 #include "near/values.h"
-#include <getopt.h>
-#include <stdlib.h>
-#include <string.h>
 
-enum {
-    SCENE = 256,
-    STEPS,
-    DT,
-    TOLERANCE,
-    EVENTS,
-    PICTURES,
-    PASSIVE,
-    CHECK,
-    LIST,
-    HELP
-};
-
-static double parse_number(const char *option, const char *text,
-                           double least, double most)
-{
-    char *end;
-    const double number = strtod(text, &end);
-    if (end == text || *end || strpbrk(text, "xX") ||
-        !(number >= least && number <= most))
-        fail("%s: expected a number from %g to %g, found \"%s\"",
-             option, least, most, text);
-    return number;
-}
+enum { SCENE = 256, STEPS, DT, TOLERANCE, PICTURES };
 
 static const struct built_in *parse_scene(const char *text)
 {
@@ -50,47 +25,9 @@ static const struct broad *parse_broad(const char *text)
     return found;
 }
 
-static const char *parse_name(const char *option, const char *text)
+static void take_option(void *options, int option)
 {
-    if (!*text)
-        fail("%s: expected a name, found nothing", option);
-    return text;
-}
-
-static _Noreturn void refuse(int option, char **argv)
-{
-    if (option == ':')
-        fail("%s needs a value; see contact --help", argv[optind - 1]);
-    if (optopt != 0 && optopt < SCENE)
-        fail("what is -%c? See contact --help", optopt);
-    fail("what is %s? See contact --help", argv[optind - 1]);
-}
-
-static void take_flag(struct options *o, int option, char **argv)
-{
-    switch (option) {
-    case EVENTS:
-        o->events = true;
-        break;
-    case PASSIVE:
-        o->passive = true;
-        break;
-    case CHECK:
-        o->check = true;
-        break;
-    case LIST:
-        o->list = true;
-        break;
-    case HELP:
-        o->help = true;
-        break;
-    default:
-        refuse(option, argv);
-    }
-}
-
-static void take_long_option(struct options *o, int option, char **argv)
-{
+    struct options *o = options;
     switch (option) {
     case SCENE:
         o->built_in = parse_scene(optarg);
@@ -107,14 +44,6 @@ static void take_long_option(struct options *o, int option, char **argv)
     case PICTURES:
         o->pictures = parse_name("--pictures", optarg);
         break;
-    default:
-        take_flag(o, option, argv);
-    }
-}
-
-static void take_option(struct options *o, int option, char **argv)
-{
-    switch (option) {
     case 'n':
         o->size = parse_count("-n", optarg, 1, UINT32_MAX);
         break;
@@ -130,8 +59,6 @@ static void take_option(struct options *o, int option, char **argv)
     case 'o':
         o->output = parse_name("-o", optarg);
         break;
-    default:
-        take_long_option(o, option, argv);
     }
 }
 
@@ -156,32 +83,26 @@ static void check_options(struct options *o)
              o->built_in->least, o->built_in->most);
 }
 
-static const struct option names[] = {
-    {"scene", required_argument, NULL, SCENE},
-    {"steps", required_argument, NULL, STEPS},
-    {"dt", required_argument, NULL, DT},
-    {"tolerance", required_argument, NULL, TOLERANCE},
-    {"events", no_argument, NULL, EVENTS},
-    {"pictures", required_argument, NULL, PICTURES},
-    {"passive", no_argument, NULL, PASSIVE},
-    {"check", no_argument, NULL, CHECK},
-    {"list", no_argument, NULL, LIST},
-    {"help", no_argument, NULL, HELP},
-    {0},
-};
-
 struct options parse_contact_options(int argc, char **argv)
 {
     struct options o = {
         .seed = 1, .steps = 100, .broad = find_broad("clusters")};
-    opterr = 0; // the sentences are ours
-    for (int option; (option = getopt_long(argc, argv, ":n:s:a:t:o:",
-                                           names, NULL)) != -1;)
-        take_option(&o, option, argv);
-    if (argc - optind > 1)
-        fail("one FILE at a time, please: \"%s\" and \"%s\" are two",
-             argv[optind], argv[optind + 1]);
-    o.file = argv[optind];
+    const struct option names[] = {
+        {"scene", required_argument, NULL, SCENE},
+        {"steps", required_argument, NULL, STEPS},
+        {"dt", required_argument, NULL, DT},
+        {"tolerance", required_argument, NULL, TOLERANCE},
+        {"pictures", required_argument, NULL, PICTURES},
+        {"events", no_argument, &o.events, true},
+        {"passive", no_argument, &o.passive, true},
+        {"check", no_argument, &o.check, true},
+        {"list", no_argument, &o.list, true},
+        {"help", no_argument, &o.help, true},
+        {0},
+    };
+    const struct command contact = {"contact", ":n:s:a:t:o:", names,
+                                    take_option};
+    o.file = take_options(&contact, argc, argv, &o);
     if (!o.list && !o.help)
         check_options(&o);
     return o;

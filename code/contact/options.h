@@ -15,8 +15,8 @@ struct options {
     int threads;          // 0: as many as are worth it
     const char *output;   // file for the table, "-": standard output
     const char *pictures; // folder for them; or NULL
-    bool events;          // the table has a row for each event
-    bool passive, check, list, help;
+    int events;           // the table has a row for each event
+    int passive, check, list, help;
 };
 
 // Fails with a sentence on anything it does not understand.

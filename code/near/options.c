@@ -3,105 +3,68 @@
 #include "near/options.h"
 #include "common/fail.h"
 #include "common/isa.h"
+#include "near/command.h"
 #include "near/threads.h"
 #include "near/values.h"
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { COLUMNS = 256, BOX, WITHIN, COUNTS, TIMING, CHECK, LIST, HELP };
+enum { COLUMNS = 256, BOX, WITHIN };
 
-static _Noreturn void refuse_option(int option, char **argv)
-{
-    if (option == ':')
-        fail("%s needs a value; see near --help", argv[optind - 1]);
-    if (optopt != 0 && optopt < COLUMNS)
-        fail("what is -%c? See near --help", optopt);
-    fail("what is %s? See near --help", argv[optind - 1]);
-}
-
-static void take_neighbors_option(struct options *options, int option,
-                                  char **argv)
+static void take_letter(struct options *o, int option)
 {
     switch (option) {
-    case 'k':
-        options->k = parse_count("-k", optarg, 1, UINT32_MAX);
-        break;
-    case WITHIN:
-        options->distance = parse_distance("--within", optarg);
-        options->within = true;
-        break;
-    case COUNTS:
-        options->counts = true;
-        break;
-    default:
-        refuse_option(option, argv);
-    }
-}
-
-static void take_long_option(struct options *options, int option,
-                             char **argv)
-{
-    switch (option) {
-    case COLUMNS:
-        options->columns = parse_columns(optarg);
-        break;
-    case BOX:
-        parse_box(options->box, optarg);
-        options->has_box = true;
-        break;
-    case TIMING:
-        options->timing = true;
-        break;
-    case CHECK:
-        options->check = true;
-        break;
-    case LIST:
-        options->list = true;
-        break;
-    case HELP:
-        options->help = true;
-        break;
-    default:
-        take_neighbors_option(options, option, argv);
-    }
-}
-
-static void take_option(struct options *options, int option,
-                        char **argv)
-{
-    switch (option) {
-    case 'n':
-        options->n = parse_count("-n", optarg, 2, UINT32_MAX);
-        break;
-    case 'd':
-        options->distribution = parse_distribution(optarg);
-        break;
-    case 's':
-        options->seed = parse_seed(optarg);
-        break;
     case 'a':
-        options->algorithm = parse_algorithm(optarg);
+        o->algorithm = parse_algorithm(optarg);
         break;
     case 'g':
-        options->geometry = parse_geometry(optarg);
+        o->geometry = parse_geometry(optarg);
+        break;
+    case 'k':
+        o->k = parse_count("-k", optarg, 1, UINT32_MAX);
         break;
     case 't':
-        options->threads = parse_count("-t", optarg, 1, MAX_THREADS);
+        o->threads = parse_count("-t", optarg, 1, MAX_THREADS);
         break;
     case 'r':
-        options->trials = parse_count("-r", optarg, 1, 1000000);
+        o->trials = parse_count("-r", optarg, 1, 1000000);
         break;
     case 'o':
-        if (!*optarg)
-            fail("-o: expected the name of a file, or -");
-        options->output = optarg;
+        o->output = parse_name("-o", optarg);
+        break;
+    }
+}
+
+static void take_option(void *options, int option)
+{
+    struct options *o = options;
+    o->random |= option == 'n' || option == 'd' || option == 's';
+    switch (option) {
+    case COLUMNS:
+        o->columns = parse_columns(optarg);
+        break;
+    case BOX:
+        parse_box(o->box, optarg);
+        o->has_box = true;
+        break;
+    case WITHIN:
+        o->distance = parse_distance("--within", optarg);
+        o->within = true;
+        break;
+    case 'n':
+        o->n = parse_count("-n", optarg, 2, UINT32_MAX);
+        break;
+    case 'd':
+        o->distribution = parse_distribution("near", optarg);
+        break;
+    case 's':
+        o->seed = parse_seed(optarg);
         break;
     default:
-        take_long_option(options, option, argv);
+        take_letter(o, option);
     }
 }
 
@@ -129,9 +92,9 @@ static void check_neighbors_options(const struct options *o)
         fail("--counts is for --within");
 }
 
-static void check_options(const struct options *o, bool generating)
+static void check_options(const struct options *o)
 {
-    if (o->file && generating)
+    if (o->file && o->random)
         fail("points come from a file or from -n, -d and -s, not from "
              "both");
     if (!o->file && !o->n)
@@ -158,34 +121,25 @@ static void check_options(const struct options *o, bool generating)
 
 struct options parse_options(int argc, char **argv)
 {
-    static const struct option names[] = {
+    struct options o = {.distribution = &distributions[0],
+                        .seed = 1,
+                        .geometry = STANDARD,
+                        .trials = 1};
+    const struct option names[] = {
         {"columns", required_argument, NULL, COLUMNS},
         {"box", required_argument, NULL, BOX},
         {"within", required_argument, NULL, WITHIN},
-        {"counts", no_argument, NULL, COUNTS},
-        {"timing", no_argument, NULL, TIMING},
-        {"check", no_argument, NULL, CHECK},
-        {"list", no_argument, NULL, LIST},
-        {"help", no_argument, NULL, HELP},
+        {"counts", no_argument, &o.counts, true},
+        {"timing", no_argument, &o.timing, true},
+        {"check", no_argument, &o.check, true},
+        {"list", no_argument, &o.list, true},
+        {"help", no_argument, &o.help, true},
         {0},
     };
-    struct options options = {.distribution = &distributions[0],
-                              .seed = 1,
-                              .geometry = STANDARD,
-                              .trials = 1};
-    bool generating = false;
-    opterr = 0; // the sentences are ours
-    for (int option;
-         (option = getopt_long(argc, argv, ":n:d:s:a:g:k:t:r:o:", names,
-                               NULL)) != -1;) {
-        take_option(&options, option, argv);
-        generating |= option == 'n' || option == 'd' || option == 's';
-    }
-    if (argc - optind > 1)
-        fail("one FILE at a time, please: \"%s\" and \"%s\" are two",
-             argv[optind], argv[optind + 1]);
-    options.file = argv[optind];
-    if (!options.list && !options.help)
-        check_options(&options, generating);
-    return options;
+    const struct command near = {"near", ":n:d:s:a:g:k:t:r:o:", names,
+                                 take_option};
+    o.file = take_options(&near, argc, argv, &o);
+    if (!o.list && !o.help)
+        check_options(&o);
+    return o;
 }

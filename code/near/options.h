@@ -12,6 +12,7 @@ struct options {
     uint32_t n; // points to generate if there is no file
     const struct distribution *distribution;
     uint64_t seed;
+    bool random;                       // one of the last three was said
     const struct algorithm *algorithm; // NULL: the fastest
     enum geometry geometry;
     bool has_box;
@@ -19,9 +20,10 @@ struct options {
     int threads, trials; // threads: 0: as many as are worth it
     const char *output;  // file for the answers, "-": standard output
     uint32_t k;          // so many nearest neighbors; 0: not asked
-    bool within, counts; // all within a distance; only how many
+    bool within;         // all within a distance
     double distance;
-    bool timing, check, list, help;
+    int counts; // only how many
+    int timing, check, list, help;
 };
 
 // Fails with a sentence on anything it does not understand.

@@ -38,6 +38,17 @@ static bool parse_numbers(const char *text, double *numbers, int count)
     return true;
 }
 
+double parse_number(const char *option, const char *text, double min,
+                    double max)
+{
+    double number;
+    if (!parse_numbers(text, &number, 1) || number < min ||
+        number > max)
+        fail("%s: expected a number from %g to %g, found \"%s\"",
+             option, min, max, text);
+    return number;
+}
+
 double parse_distance(const char *option, const char *text)
 {
     double distance;
@@ -56,6 +67,13 @@ uint64_t parse_seed(const char *text)
         fail("-s: expected a whole number below 2^64, found \"%s\"",
              text);
     return seed;
+}
+
+const char *parse_name(const char *option, const char *text)
+{
+    if (!*text)
+        fail("%s: expected a name, found nothing", option);
+    return text;
 }
 
 struct columns parse_columns(const char *text)
@@ -90,12 +108,13 @@ enum geometry parse_geometry(const char *text)
     fail("-g: expected standard or wraparound, found \"%s\"", text);
 }
 
-const struct distribution *parse_distribution(const char *text)
+const struct distribution *parse_distribution(const char *program,
+                                              const char *text)
 {
     const struct distribution *found = find_distribution(text);
     if (!found)
-        fail("-d: there is no distribution \"%s\"; see near --list",
-             text);
+        fail("-d: there is no distribution \"%s\"; see %s --list", text,
+             program);
     return found;
 }
 

@@ -20,7 +20,7 @@ struct options {
     const struct structure *structure;
     int threads, trials; // threads: 0: as many as are worth it
     const char *output;  // file for the answers, "-": standard output
-    bool counts, timing, check, list, help;
+    int counts, timing, check, list, help;
 };
 
 // Fails with a sentence on anything it does not understand.

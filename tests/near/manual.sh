@@ -12,7 +12,7 @@ says 'is plain text' '' "$(LC_ALL=C grep -n '[^ -~]' manual)"
 # The options as the parser has them, and those that begin a line of the
 # manual.
 options() {
-    sed -n 's/.*getopt_long(argc, argv, ":\([^"]*\)".*/\1/p' \
+    sed -n 's/.*{"near", ":\([^"]*\)", names.*/\1/p' \
         "$source/near/options.c" | tr -d ':' | fold -w 1 | sed 's/^/-/'
     echo
     sed -n 's/^ *{"\([a-z-]*\)", [a-z]*_argument,.*/--\1/p' \
