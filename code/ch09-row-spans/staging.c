@@ -204,6 +204,16 @@ bool staging_open(const struct scene *scene, uint32_t row,
 }
 //<
 
+//> Find the place of a column
+// Where the points of a column begin.
+static uint32_t place_at(const struct staging *staging,
+                         const struct staged_row *row, int64_t column)
+{
+    int part = column > staging->seam;
+    return row->start[column + staging->fold[part]] + row->shift[part];
+}
+//<
+
 //> Point out the candidates of a batch
 void staging_point_out(const struct scene *scene,
                        const struct staging *staging,
@@ -213,22 +223,20 @@ void staging_point_out(const struct scene *scene,
     const double *x = scene->sorted->points.x + batch->begin;
     const uint32_t from = axis_cell(across, x[0]);
     const uint32_t to = axis_cell(across, x[batch->width - 1]);
-    const int64_t first = MAX((int64_t)from - 1, staging->first);
-    const int64_t end = MIN((int64_t)to + 1, staging->last) + 1;
+    const int64_t left = (int64_t)from - 1, right = (int64_t)to + 1;
+    const int64_t first = left > staging->first ? left : staging->first;
+    const int64_t end =
+        (right < staging->last ? right : staging->last) + 1;
     batch->block.x = axis_range(across, from, to, 1);
     batch->own =
         batch->begin + staging->row[1].shift[staging->first < 0];
     //> Point out three spans
-    // Either column may be in the second part, beyond the seam.
-    const int p = first > staging->seam, q = end > staging->seam;
-    const int64_t low = first + staging->fold[p];
-    const int64_t high = end + staging->fold[q];
     for (uint32_t k = 0; k < ROWS; k++) {
         const struct staged_row *row = &staging->row[k];
         batch->from[k] = batch->to[k] = k * STAGED + PAD;
         if (row->start) {
-            batch->from[k] = row->start[low] + row->shift[p];
-            batch->to[k] = row->start[high] + row->shift[q];
+            batch->from[k] = place_at(staging, row, first);
+            batch->to[k] = place_at(staging, row, end);
         }
     }
     //<
