@@ -165,11 +165,11 @@ static void grow_two(struct growing *growing, const struct part *part,
         cut.at;
     *(cut.by_y ? &sides[1].region.bottom : &sides[1].region.left) =
         cut.at;
-    node->child = growing->next_node++;
-    node->sibling = growing->next_node++;
+    node->first_child = growing->next_node++;
+    node->second_child = growing->next_node++;
     growing->slots--;
-    grow(growing, &sides[0], &growth->pieces->node[node->child]);
-    grow(growing, &sides[1], &growth->pieces->node[node->sibling]);
+    grow(growing, &sides[0], &growth->pieces->node[node->first_child]);
+    grow(growing, &sides[1], &growth->pieces->node[node->second_child]);
 }
 //<
 

@@ -1,5 +1,5 @@
 //> Declare how pieces grow
-// What all leaves of the tree of cuts have in common while they become
+// What all leaves of the splitter tree have in common while they become
 // pieces, each by itself and by one thread.
 #pragma once
 #include "ch11-crowds/pieces.h"

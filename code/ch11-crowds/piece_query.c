@@ -111,7 +111,7 @@ INLINED bool query_pieces(const enum geometry geometry,
         query->steps++;
         if (!furthest && take_vanishing(node, q))
             continue;
-        if (node->child == 0) {
+        if (node->first_child == 0) {
             const struct piece *piece = &pieces->piece[node->piece];
             if (piece->is_place)
                 search_place(geometry, furthest, piece, node, query);
@@ -121,7 +121,8 @@ INLINED bool query_pieces(const enum geometry geometry,
             continue;
         }
         //> Put both children on the stack, the better one last
-        struct waiting a = {0, node->child}, b = {0, node->sibling};
+        struct waiting a = {0, node->first_child},
+                       b = {0, node->second_child};
         a.bound = box_bound(geometry, furthest, query->all->space,
                             &pieces->node[a.node].box, q->x, q->y);
         b.bound = box_bound(geometry, furthest, query->all->space,

@@ -1,5 +1,5 @@
 //> Make the pieces
-// Chapter 5's partition with a tree of cuts in place of a grid: count
+// Chapter 5's partition with a splitter tree in place of a grid: count
 // the points of every leaf, scan, write each point's record to its
 // leaf; then every leaf grows by itself, inside a cache.
 #include "ch11-crowds/pieces.h"
@@ -18,7 +18,7 @@ enum { POINTS_PER_LEAF = 4096, STRIP = 512 };
 struct sending {
     struct points points;
     int chunks;
-    const struct cut_tree *tree;
+    const struct splitter_tree *tree;
     uint32_t *leaf;  // of each point, where its record's number will be
     uint32_t *next;  // next[chunk * leaves + leaf]
     uint32_t *begin; // begin[0 .. leaves], of records
@@ -38,7 +38,8 @@ static void count_leaves(const struct sending *sending, int k)
     for (uint32_t count; i < end; i += count) {
         count = MIN(end - i, STRIP);
         uint32_t *leaf = sending->leaf + i;
-        cut_tree_find(sending->tree, p.x + i, p.y + i, count, leaf);
+        splitter_tree_find(sending->tree, p.x + i, p.y + i, count,
+                           leaf);
         for (uint32_t s = 0; s < count; s++)
             mine[leaf[s]]++;
     }
@@ -97,18 +98,18 @@ static void grow_all(const struct sending *sending,
 //> Join the boxes
 // Of the nodes above the leaves, from below.
 //> Join two boxes
-static void join(struct pieces *pieces, uint32_t k, uint32_t child,
-                 uint32_t sibling)
+static void join(struct pieces *pieces, uint32_t k, uint32_t first,
+                 uint32_t second)
 {
-    const struct node *a = &pieces->node[child];
-    const struct node *b = &pieces->node[sibling];
+    const struct node *a = &pieces->node[first];
+    const struct node *b = &pieces->node[second];
     pieces->node[k] = (struct node){{fmin(a->box.left, b->box.left),
                                      fmax(a->box.right, b->box.right),
                                      fmin(a->box.bottom, b->box.bottom),
                                      fmax(a->box.top, b->box.top)},
                                     MIN(a->lowest, b->lowest),
-                                    child,
-                                    sibling,
+                                    first,
+                                    second,
                                     0};
 }
 //<
@@ -152,8 +153,8 @@ struct pieces pieces_make(const struct question *question,
                           struct workspace *workspace)
 {
     const struct points p = question->points;
-    const struct cut_tree tree =
-        cut_tree_make(p, POINTS_PER_LEAF, workspace);
+    const struct splitter_tree tree =
+        splitter_tree_make(p, POINTS_PER_LEAF, workspace);
     const size_t slots = piece_slots(p.n) + 2 * (size_t)tree.leaves;
     struct pieces pieces = take_pieces(p.n, tree.leaves, workspace);
     const struct growth growth = {

@@ -1,13 +1,13 @@
 //> Declare the pieces
-// A partition that adapts: the points are sent to the leaves of a tree
-// of cuts, each leaf is cut again for as long as its points crowd, and
-// what is left, a piece, has points spread evenly enough for a grid of
-// its own, or all in one place. A tree of boxes over the pieces says
-// where else a query has to look. n log n steps, whatever the points
-// are; most of them in a cache.
+// A partition that adapts: the points are sent to the leaves of a
+// splitter tree, each leaf is cut again for as long as its points
+// crowd, and what is left, a piece, has points spread evenly enough for
+// a grid of its own, or all in one place. A tree of boxes over the
+// pieces says where else a query has to look. n log n steps, whatever
+// the points are; most of them in a cache.
 #pragma once
 #include "ch04-cell-sort/sorted.h"
-#include "ch11-crowds/cut_tree.h"
+#include "ch11-crowds/splitter_tree.h"
 #include "common/workspace.h"
 
 //> Hold a piece
@@ -24,11 +24,10 @@ struct piece {
 
 //> Hold a node of the tree of boxes
 struct node {
-    struct box box;   // just around its points
-    uint32_t lowest;  // of their indices
-    uint32_t child;   // the first of two; 0: there is none
-    uint32_t sibling; // of child
-    uint32_t piece;   // if there is no child
+    struct box box;                     // just around its points
+    uint32_t lowest;                    // of their indices
+    uint32_t first_child, second_child; // 0: there are none
+    uint32_t piece;                     // if there are none
 };
 //<
 
@@ -41,7 +40,7 @@ enum { DEEPEST = 512 };
 //<
 
 //> Hold the pieces
-// The leaf k of the tree of cuts has become the pieces first[k] .. +
+// The leaf k of the splitter tree has become the pieces first[k] .. +
 // count[k] - 1, in the order of the sorted points.
 struct pieces {
     struct sorted sorted; // all, by piece, and there by cell; no grid

@@ -98,13 +98,13 @@ INLINED void search_boxes(const enum geometry geometry,
         if (!can_have(query->list, next.bound, node->lowest))
             continue;
         query->steps++;
-        if (node->child == 0) {
+        if (node->first_child == 0) {
             take_piece(geometry, node, query);
             continue;
         }
         //> Let the two below wait, the nearer on top
-        struct waiting_node a = {0, node->child},
-                            b = {0, node->sibling};
+        struct waiting_node a = {0, node->first_child},
+                            b = {0, node->second_child};
         a.bound = box_bound(geometry, false, query->index->space,
                             &nodes[a.node].box, query->x, query->y);
         b.bound = box_bound(geometry, false, query->index->space,

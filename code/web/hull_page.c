@@ -72,9 +72,9 @@ uint32_t *EXPORT(hull_corner)(void)
 static uint32_t nodes_below(uint32_t k)
 {
     const struct node *node = &pieces.node[k];
-    return node->child == 0 ? 1
-                            : 1 + nodes_below(node->child) +
-                                  nodes_below(node->sibling);
+    return node->first_child == 0 ? 1
+                                  : 1 + nodes_below(node->first_child) +
+                                        nodes_below(node->second_child);
 }
 
 uint32_t EXPORT(cut_pieces)(void)

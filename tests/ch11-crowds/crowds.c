@@ -498,10 +498,10 @@ static double deepest(double m)
 static uint32_t depth_of_node(const struct pieces *pieces, uint32_t k)
 {
     const struct node *node = &pieces->node[k];
-    if (node->child == 0)
+    if (node->first_child == 0)
         return 0;
-    const uint32_t a = depth_of_node(pieces, node->child);
-    const uint32_t b = depth_of_node(pieces, node->sibling);
+    const uint32_t a = depth_of_node(pieces, node->first_child);
+    const uint32_t b = depth_of_node(pieces, node->second_child);
     return 1 + MAX(a, b);
 }
 

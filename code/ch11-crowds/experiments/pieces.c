@@ -11,10 +11,10 @@
 static uint32_t depth_of(const struct pieces *pieces, uint32_t k)
 {
     const struct node *node = &pieces->node[k];
-    if (node->child == 0)
+    if (node->first_child == 0)
         return 0;
-    const uint32_t a = depth_of(pieces, node->child);
-    const uint32_t b = depth_of(pieces, node->sibling);
+    const uint32_t a = depth_of(pieces, node->first_child);
+    const uint32_t b = depth_of(pieces, node->second_child);
     return 1 + (a > b ? a : b);
 }
 

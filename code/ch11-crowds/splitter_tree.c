@@ -1,7 +1,7 @@
-//> Make the tree of cuts
+//> Make the splitter tree
 // A sample, cut in halves down to the leaves; then all points walk down
 // the tree in step, level by level, as vectors do.
-#include "ch11-crowds/cut_tree.h"
+#include "ch11-crowds/splitter_tree.h"
 #include "common/min_max.h"
 #include "common/random.h"
 #include <math.h>
@@ -37,7 +37,7 @@ static struct box side_of(struct box region, struct cut cut,
 
 struct cutting {
     const struct point_record *sample;
-    struct cut_tree *tree;
+    struct splitter_tree *tree;
     struct cut_room room;
 };
 
@@ -46,7 +46,7 @@ struct cutting {
 static void cut_sample(const struct cutting *cutting, uint32_t node,
                        uint32_t *list, uint32_t n, struct box region)
 {
-    struct cut_tree *tree = cutting->tree;
+    struct splitter_tree *tree = cutting->tree;
     if (node >= tree->leaves - 1) {
         tree->region[node - (tree->leaves - 1)] = region;
         return;
@@ -66,10 +66,11 @@ static void cut_sample(const struct cutting *cutting, uint32_t node,
 }
 //<
 
-struct cut_tree cut_tree_make(struct points points, uint32_t per_piece,
-                              struct workspace *workspace)
+struct splitter_tree splitter_tree_make(struct points points,
+                                        uint32_t per_piece,
+                                        struct workspace *workspace)
 {
-    struct cut_tree tree = {0};
+    struct splitter_tree tree = {0};
     while (tree.depth < DEEPEST_LEAF &&
            points.n >> tree.depth > per_piece)
         tree.depth++;
@@ -95,8 +96,9 @@ struct cut_tree cut_tree_make(struct points points, uint32_t per_piece,
 }
 
 //> Walk down the tree in step
-void cut_tree_find(const struct cut_tree *tree, const double *x,
-                   const double *y, uint32_t count, uint32_t *leaf)
+void splitter_tree_find(const struct splitter_tree *tree,
+                        const double *x, const double *y,
+                        uint32_t count, uint32_t *leaf)
 {
     const double *cut_x = tree->x, *cut_y = tree->y;
     for (uint32_t k = 0; k < count; k++)

@@ -1,18 +1,18 @@
-//> Declare the tree of cuts
-// Where a sample of the points is cut, all points are cut: a tree of
-// 2^depth leaves, each with about as many of the points, found by a
-// sample and in one pass. Frazer and McKellar's samplesort (1970), in
-// the plane.
+//> Declare the splitter tree
+// A tree of cuts through a sample, the splitters, sends every point to
+// one of 2^depth leaves, each with about as many of the points: one
+// pass, depth steps a point. Frazer and McKellar's samplesort (1970),
+// in the plane.
 #pragma once
 #include "ch11-crowds/cut.h"
 #include "common/points.h"
 #include "common/workspace.h"
 
-//> Hold the tree of cuts
+//> Hold the splitter tree
 // A complete binary tree: the two below node k are 2 k + 1 and 2 k + 2,
 // and a point goes to the second if neither coordinate is less than the
 // node's cut. One of the two cuts is -INFINITY.
-struct cut_tree {
+struct splitter_tree {
     uint32_t depth, leaves; // leaves = 2^depth
     double *x, *y;          // of leaves - 1 nodes
     struct box *region;     // of each leaf, open to INFINITY
@@ -26,10 +26,12 @@ enum { SAMPLE_PER_LEAF = 32, DEEPEST_LEAF = 14 };
 
 // For pieces of so many points on average. All arrays are taken from
 // the workspace.
-struct cut_tree cut_tree_make(struct points points, uint32_t per_piece,
-                              struct workspace *workspace);
+struct splitter_tree splitter_tree_make(struct points points,
+                                        uint32_t per_piece,
+                                        struct workspace *workspace);
 
 // Finds the leaves of count points.
-void cut_tree_find(const struct cut_tree *tree, const double *x,
-                   const double *y, uint32_t count, uint32_t *leaf);
+void splitter_tree_find(const struct splitter_tree *tree,
+                        const double *x, const double *y,
+                        uint32_t count, uint32_t *leaf);
 //<
