@@ -32,38 +32,38 @@ static double slack(const struct listing *listing, double apart2)
 }
 
 static void add_slack(const struct listing *listing,
-                      const struct fan *fan, double bound[FAN])
+                      const struct arc_node *node, double bound[FANOUT])
 {
     const double x = listing->x, y = listing->y;
-    for (int k = 0; k < FAN; k++)
-        bound[k] +=
-            slack(listing,
-                  distance2(MAX(x - fan->left[k], fan->right[k] - x),
-                            MAX(y - fan->bottom[k], fan->top[k] - y)));
+    for (int k = 0; k < FANOUT; k++)
+        bound[k] += slack(
+            listing,
+            distance2(MAX(x - node->left[k], node->right[k] - x),
+                      MAX(y - node->bottom[k], node->top[k] - y)));
 }
 //<
 
-//> List the arcs of a fan
-static void list_fan(const struct listing *listing, int level,
-                     uint32_t number)
+//> List the arcs of a node
+static void list_node(const struct listing *listing, int level,
+                      uint32_t number)
 {
-    const struct fan *fan = &listing->arcs->level[level][number];
+    const struct arc_node *node = &listing->arcs->level[level][number];
     struct shortlist *list = listing->list;
-    double bound[FAN];
-    arcs_bound(fan, listing->middle->x, listing->middle->y, bound);
-    add_slack(listing, fan, bound);
-    uint32_t open = no_less(bound, listing->middle->max2);
+    double bound[FANOUT];
+    arcs_bound(node, listing->middle->x, listing->middle->y, bound);
+    add_slack(listing, node, bound);
+    uint32_t open = at_least(bound, listing->middle->max2);
     if (open == 0 || !list->complete)
         return;
     if (level > 0) {
         for (; open; open &= open - 1)
-            list_fan(listing, level - 1,
-                     number * FAN + (uint32_t)__builtin_ctz(open));
-    } else if (list->fans == MOST_LISTED) {
+            list_node(listing, level - 1,
+                      number * FANOUT + (uint32_t)__builtin_ctz(open));
+    } else if (list->nodes == MAX_LISTED) {
         list->complete = false;
     } else {
-        list->fan[list->fans] = number;
-        list->set[list->fans++] = open;
+        list->node[list->nodes] = number;
+        list->set[list->nodes++] = open;
     }
 }
 //<
@@ -81,7 +81,7 @@ static void list_corner(const struct listing *listing, uint32_t k)
     if (distance2(x - c->x, y - c->y) + slack(listing, apart2) <
         c->max2)
         return;
-    list->is_short &= list->corners < MOST_CORNERS;
+    list->is_short &= list->corners < MAX_CORNERS;
     if (list->is_short)
         list->corner[list->corners++] = k;
 }
@@ -92,11 +92,11 @@ static void list_corners(const struct listing *listing)
     const uint32_t n = listing->arcs->points.n;
     list->is_short = list->complete;
     list->corners = 0;
-    for (int f = 0; f < list->fans; f++)
+    for (int f = 0; f < list->nodes; f++)
         for (uint32_t set = list->set[f]; set && list->is_short;
              set &= set - 1) {
             const uint32_t arc =
-                list->fan[f] * FAN + (uint32_t)__builtin_ctz(set);
+                list->node[f] * FANOUT + (uint32_t)__builtin_ctz(set);
             const uint32_t from = arc * PER_ARC;
             const uint32_t end = from + MIN(PER_ARC, n - from);
             for (uint32_t k = from; k < end; k++)
@@ -123,8 +123,8 @@ void arcs_list(const struct arcs *arcs, const struct box *box,
                                     2 * r * (1 + 0x1p-40),
                                     list};
     list->complete = true;
-    list->fans = 0;
-    list_fan(&listing, arcs->levels - 1, 0);
+    list->nodes = 0;
+    list_node(&listing, arcs->levels - 1, 0);
     list_corners(&listing);
 }
 //<
@@ -154,11 +154,11 @@ static void search_listed(const struct arcs *arcs,
 {
     const uint32_t leaf = query->corner / PER_ARC;
     arcs_compare_leaf(arcs, leaf, query);
-    for (int k = 0; k < list->fans; k++) {
-        const bool again = list->fan[k] == leaf / FAN;
-        arcs_search_fan(arcs, 0, list->fan[k],
-                        list->set[k] & ~((uint32_t)again << leaf % FAN),
-                        query);
+    for (int k = 0; k < list->nodes; k++) {
+        const bool again = list->node[k] == leaf / FANOUT;
+        arcs_search_node(
+            arcs, 0, list->node[k],
+            list->set[k] & ~((uint32_t)again << leaf % FANOUT), query);
     }
 }
 

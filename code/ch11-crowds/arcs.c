@@ -10,9 +10,9 @@
 #include <string.h>
 
 //> Put the corners in a round
-//> Measure a bearing
-// By an angle that needs no arc tangent.
-static double bearing_of(double dx, double dy)
+//> Find a pseudoangle
+// It grows with the angle, and needs no arc tangent.
+static double pseudoangle(double dx, double dy)
 {
     const double sum = fabs(dx) + fabs(dy);
     return sum > 0 ? copysign(1 - dx / sum, dy) : 0; // -2 to 2
@@ -39,15 +39,14 @@ static void go_round(const struct corners *corners,
     const double x = box->left / 2 + box->right / 2;
     const double y = box->bottom / 2 + box->top / 2;
     struct mark mark = workspace_mark(workspace);
-    struct keyed *bearing =
-        workspace_take(workspace, p.n, sizeof *bearing);
+    struct keyed *angle = workspace_take(workspace, p.n, sizeof *angle);
     struct keyed *sorted =
         workspace_take(workspace, p.n, sizeof *sorted);
     for (uint32_t k = 0; k < p.n; k++)
-        bearing[k] =
-            (struct keyed){bearing_of(p.x[k] - x, p.y[k] - y), k};
-    sort_keys(bearing, p.n, sorted, workspace);
-    for (uint32_t k = 0; k < arcs->room; k++) {
+        angle[k] =
+            (struct keyed){pseudoangle(p.x[k] - x, p.y[k] - y), k};
+    sort_keys(angle, p.n, sorted, workspace);
+    for (uint32_t k = 0; k < arcs->padded_n; k++) {
         const uint32_t corner = sorted[MIN(k, p.n - 1)].number;
         arcs->points.x[k] = p.x[corner];
         arcs->points.y[k] = p.y[corner];
@@ -72,11 +71,11 @@ static void center_of(struct points p, double diameter, double *x,
     double u = (by * a2 - ay * b2) / twice;
     double v = (ax * b2 - bx * a2) / twice;
     const double length = sqrt(distance2(u, v));
-    const double most = 4 * diameter;
+    const double max_length = 4 * diameter;
     if (!isfinite(length) || !(length > 0))
         u = v = 0;
-    else if (length > most)
-        u *= most / length, v *= most / length;
+    else if (length > max_length)
+        u *= max_length / length, v *= max_length / length;
     *x = p.x[m] + u;
     *y = p.y[m] + v;
 }
@@ -94,9 +93,9 @@ static void direct(struct points p, double *tx, double *ty)
 }
 //<
 
-// As arc k of a fan. What rounding may do to the bound is added once.
-static void describe(struct points p, double diameter, struct fan *fan,
-                     int k)
+// As arc k of a node. What rounding may do to the bound is added once.
+static void describe(struct points p, double diameter,
+                     struct arc_node *node, int k)
 {
     const struct box box = box_around(p);
     double ox, oy, tx, ty, max2 = 0;
@@ -111,26 +110,26 @@ static void describe(struct points p, double diameter, struct fan *fan,
             (struct extent){MIN(b, beside.low), MAX(b, beside.high)};
         max2 = MAX(distance2(vx, vy), max2);
     }
-    const double most = sqrt(max2) + diameter;
-    fan->left[k] = box.left, fan->right[k] = box.right;
-    fan->bottom[k] = box.bottom, fan->top[k] = box.top;
-    fan->ox[k] = ox, fan->oy[k] = oy;
-    fan->tx[k] = tx, fan->ty[k] = ty;
-    fan->max2[k] = max2 + most * most * 0x1p-45;
-    fan->along[0][k] = along.low, fan->along[1][k] = along.high;
-    fan->beside[0][k] = beside.low, fan->beside[1][k] = beside.high;
+    const double longest = sqrt(max2) + diameter;
+    node->left[k] = box.left, node->right[k] = box.right;
+    node->bottom[k] = box.bottom, node->top[k] = box.top;
+    node->ox[k] = ox, node->oy[k] = oy;
+    node->tx[k] = tx, node->ty[k] = ty;
+    node->max2[k] = max2 + longest * longest * 0x1p-45;
+    node->along[0][k] = along.low, node->along[1][k] = along.high;
+    node->beside[0][k] = beside.low, node->beside[1][k] = beside.high;
 }
 //<
 
-//> Make the fans of a level
+//> Make the nodes of a level
 // The arcs have so many corners each, but for the last one.
 static void make_level(const struct arcs *arcs, uint64_t width,
-                       struct fan *fan, uint32_t count)
+                       struct arc_node *node, uint32_t count)
 {
     const struct points all = arcs->points;
-    for (uint32_t arc = 0; arc < count * FAN; arc++) {
-        struct fan *of = &fan[arc / FAN];
-        const int k = arc % FAN;
+    for (uint32_t arc = 0; arc < count * FANOUT; arc++) {
+        struct arc_node *of = &node[arc / FANOUT];
+        const int k = arc % FANOUT;
         const uint32_t begin = MIN(arc * width, all.n);
         const uint32_t end = MIN((arc + 1) * width, all.n);
         of->max2[k] = -INFINITY;
@@ -148,17 +147,17 @@ static void make_level(const struct arcs *arcs, uint64_t width,
 //> Make all levels
 static void make_levels(struct arcs *arcs, struct workspace *workspace)
 {
-    uint32_t arcs_there = arcs->room / PER_ARC;
+    uint32_t arcs_there = arcs->padded_n / PER_ARC;
     uint64_t width = PER_ARC;
     do {
-        const uint32_t fans = (arcs_there - 1) / FAN + 1;
-        struct fan *level =
-            workspace_take(workspace, fans, sizeof *level);
-        memset(level, 0, fans * sizeof *level);
-        make_level(arcs, width, level, fans);
+        const uint32_t nodes = (arcs_there - 1) / FANOUT + 1;
+        struct arc_node *level =
+            workspace_take(workspace, nodes, sizeof *level);
+        memset(level, 0, nodes * sizeof *level);
+        make_level(arcs, width, level, nodes);
         arcs->level[arcs->levels++] = level;
-        arcs_there = fans;
-        width *= FAN;
+        arcs_there = nodes;
+        width *= FANOUT;
     } while (arcs_there > 1);
 }
 //<
@@ -167,12 +166,14 @@ struct arcs arcs_make(const struct corners *corners,
                       struct workspace *workspace)
 {
     const uint32_t n = corners->points.n;
-    const size_t room = ((size_t)n + PER_ARC - 1) / PER_ARC * PER_ARC;
+    const size_t padded_n =
+        ((size_t)n + PER_ARC - 1) / PER_ARC * PER_ARC;
     struct arcs arcs = {
-        .points = {n, workspace_take(workspace, room, sizeof(double)),
-                   workspace_take(workspace, room, sizeof(double))},
-        .point = workspace_take(workspace, room, sizeof(uint32_t)),
-        .room = room};
+        .points = {n,
+                   workspace_take(workspace, padded_n, sizeof(double)),
+                   workspace_take(workspace, padded_n, sizeof(double))},
+        .point = workspace_take(workspace, padded_n, sizeof(uint32_t)),
+        .padded_n = padded_n};
     const struct box box = box_around(corners->points);
     arcs.diameter =
         sqrt(distance2(box.right - box.left, box.top - box.bottom));

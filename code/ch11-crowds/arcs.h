@@ -1,7 +1,7 @@
 //> Declare the arcs
 // The furthest of many corners: they stand in a round, so stretches of
-// the round are arcs, eight of them are one longer arc, and a tree of
-// such fans is searched, into no arc whose bound is less than the
+// the round are arcs, eight of them are one longer arc, and the tree
+// of these is searched, into no arc whose bound is less than the
 // furthest so far. The bound of an arc knows how it is bent, so that of
 // arcs along a circle few are entered, wherever the query is.
 #pragma once
@@ -10,34 +10,35 @@
 #include "common/workspace.h"
 #include <stdbool.h>
 
-//> Hold a fan of arcs
+//> Hold a node of eight arcs
 // Eight arcs that follow each other, side by side for vectors. Seen
 // from o, every corner v of an arc is within these distances along the
 // unit vector t and at right angles to it, and |v|^2 is max2 at most,
 // rounding included. The max2 of an arc without corners is -INFINITY.
-enum { FAN = 8 };
+enum { FANOUT = 8 };
 
-struct fan {
-    _Alignas(64) double left[FAN], right[FAN], bottom[FAN], top[FAN];
-    double ox[FAN], oy[FAN], tx[FAN], ty[FAN], max2[FAN];
-    double along[2][FAN], beside[2][FAN];
-    uint32_t lowest[FAN]; // of the corners' indices
+struct arc_node {
+    _Alignas(64) double left[FANOUT], right[FANOUT], bottom[FANOUT],
+        top[FANOUT];
+    double ox[FANOUT], oy[FANOUT], tx[FANOUT], ty[FANOUT], max2[FANOUT];
+    double along[2][FANOUT], beside[2][FANOUT];
+    uint32_t lowest[FANOUT]; // of the corners' indices
 };
 //<
 
 //> Hold the tree of arcs
 // The leaf arc k has the corners PER_ARC k and following. Arc k of a
-// level is in fan k / FAN there, and the whole of that fan is an arc of
-// the next level, where it has the number of the fan.
-enum { PER_ARC = 8, MOST_LEVELS = 12 };
+// level is in node k / FANOUT there, and the whole of that node is an
+// arc of the next level, where it has the number of the node.
+enum { PER_ARC = 8, MAX_ARC_LEVELS = 12 };
 
 struct arcs {
     struct points points; // the corners, once round
     uint32_t *point;      // their indices
-    uint32_t room;   // n, rounded up to PER_ARC: the last corner again
-    double diameter; // diagonal of the box of all corners
-    int levels;
-    struct fan *level[MOST_LEVELS]; // the last has a single fan
+    uint32_t padded_n; // rounded up to PER_ARC: the last corner again
+    double diameter;   // diagonal of the box of all corners
+    int levels;        // the last has a single node
+    struct arc_node *level[MAX_ARC_LEVELS];
 };
 //<
 
@@ -60,16 +61,17 @@ struct arc_query {
 void arcs_furthest(const struct arcs *arcs, struct arc_query *query);
 
 //> Hold a shortlist
-// Fans of leaf arcs, and of each some of its arcs as bits. Complete, if
-// the furthest corners of all points in a box are in them. Short, if
+// Nodes of leaf arcs, and of each some of its arcs as bits. Complete,
+// if the furthest corners of all points in a box are in them. Short, if
 // these are among a few corners.
-enum { MOST_LISTED = 16, MOST_CORNERS = 16, ALL_ARCS = (1 << FAN) - 1 };
+enum { MAX_LISTED = 16, MAX_CORNERS = 16 };
+enum { ALL_ARCS = (1 << FANOUT) - 1 };
 
 struct shortlist {
     bool complete, is_short;
-    int fans, corners;
-    uint32_t fan[MOST_LISTED], set[MOST_LISTED];
-    uint32_t corner[MOST_CORNERS];
+    int nodes, corners;
+    uint32_t node[MAX_LISTED], set[MAX_LISTED];
+    uint32_t corner[MAX_CORNERS];
 };
 //<
 
