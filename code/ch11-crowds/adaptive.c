@@ -1,11 +1,11 @@
 //> Search in a partition that adapts
 // Three stages, as in chapter 9. Queries that have given up share what
 // all queries together were allowed; if some give up again, they are
-// left to the search by halves. So the steps are n log n at worst.
+// left to divide and conquer. So the steps are n log n at worst.
 #include "ch11-crowds/adaptive.h"
 #include "ch11-crowds/divide.h"
 #include "ch11-crowds/far_search.h"
-#include "ch11-crowds/piece_search.h"
+#include "ch11-crowds/piece_batches.h"
 #include "ch11-crowds/point_search.h"
 
 //> Search once more
@@ -13,11 +13,11 @@
 // there are as few as steps, each may look at all points. Those that
 // still give up move to the front of the list.
 static uint32_t search_again(const struct question *question,
-                             const struct pieces *pieces, uint64_t most,
-                             uint32_t *query, uint32_t count,
-                             struct answers *answers)
+                             const struct pieces *pieces,
+                             uint64_t max_steps, uint32_t *query,
+                             uint32_t count, struct answers *answers)
 {
-    const uint64_t each = most * question->points.n / count;
+    const uint64_t each = max_steps * question->points.n / count;
     const struct scene all = scene_of(question, pieces);
     uint32_t left = 0;
 #pragma omp parallel for num_threads(question->threads) \
@@ -54,7 +54,8 @@ static uint32_t list_given_up(const struct pieces *pieces,
 //<
 
 void search_nearest_pieces(const struct question *question,
-                           const struct pieces *pieces, uint64_t most,
+                           const struct pieces *pieces,
+                           uint64_t max_steps,
                            struct workspace *workspace,
                            struct answers *answers)
 {
@@ -62,7 +63,8 @@ void search_nearest_pieces(const struct question *question,
     struct mark mark = workspace_mark(workspace);
     struct neighbor *results =
         workspace_take(workspace, n, sizeof *results);
-    uint32_t given_up = search_pieces(question, pieces, most, results);
+    uint32_t given_up =
+        search_pieces(question, pieces, max_steps, results);
     restore_order(results, pieces->permutation, n, question->threads,
                   answers->nearest, answers->nearest2);
     workspace_release(workspace, mark);
@@ -70,11 +72,11 @@ void search_nearest_pieces(const struct question *question,
         uint32_t *query =
             workspace_take(workspace, given_up, sizeof *query);
         given_up = list_given_up(pieces, answers, query);
-        given_up = search_again(question, pieces, most, query, given_up,
-                                answers);
+        given_up = search_again(question, pieces, max_steps, query,
+                                given_up, answers);
         if (given_up > 0)
-            search_by_halves(question, query, given_up, workspace,
-                             answers);
+            search_divide_and_conquer(question, query, given_up,
+                                      workspace, answers);
     }
     workspace_release(workspace, mark);
 }

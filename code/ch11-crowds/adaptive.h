@@ -12,7 +12,8 @@ void adaptive(const struct question *question, struct answers *answers);
 // takes more than so many steps is answered in some other way. What it
 // needs is taken from the workspace and given back.
 void search_nearest_pieces(const struct question *question,
-                           const struct pieces *pieces, uint64_t most,
+                           const struct pieces *pieces,
+                           uint64_t max_steps,
                            struct workspace *workspace,
                            struct answers *answers);
 //<

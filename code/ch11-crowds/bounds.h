@@ -10,9 +10,9 @@
 
 //> Bound the separation along an axis
 // The least between x and the stretch from low to high, and the most.
-INLINED double least_separation(const enum geometry geometry,
-                                double period, double low, double high,
-                                double x)
+INLINED double min_separation(const enum geometry geometry,
+                              double period, double low, double high,
+                              double x)
 {
     double gap = MAX(low - x, x - high);
     if (geometry == WRAPAROUND)
@@ -20,9 +20,9 @@ INLINED double least_separation(const enum geometry geometry,
     return gap > 0 ? gap : 0;
 }
 
-INLINED double most_separation(const enum geometry geometry,
-                               double period, double low, double high,
-                               double x)
+INLINED double max_separation(const enum geometry geometry,
+                              double period, double low, double high,
+                              double x)
 {
     const double most = MAX(x - low, high - x);
     if (geometry == STANDARD)
@@ -42,14 +42,14 @@ INLINED double box_bound(const enum geometry geometry,
     if (box->left > box->right)
         return INFINITY;
     if (furthest)
-        return -distance2(most_separation(geometry, space.width,
-                                          box->left, box->right, x),
-                          most_separation(geometry, space.height,
-                                          box->bottom, box->top, y));
-    return distance2(least_separation(geometry, space.width, box->left,
-                                      box->right, x),
-                     least_separation(geometry, space.height,
-                                      box->bottom, box->top, y));
+        return -distance2(max_separation(geometry, space.width,
+                                         box->left, box->right, x),
+                          max_separation(geometry, space.height,
+                                         box->bottom, box->top, y));
+    return distance2(
+        min_separation(geometry, space.width, box->left, box->right, x),
+        min_separation(geometry, space.height, box->bottom, box->top,
+                       y));
 }
 //<
 //<

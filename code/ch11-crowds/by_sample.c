@@ -22,7 +22,7 @@ static double density(uint64_t together, uint32_t n, double c)
     return ((double)together / n - 1) / c;
 }
 
-static const double MOST_DENSE = 6;
+static const double MAX_DENSITY = 6;
 //<
 
 //> Look at a sample
@@ -50,9 +50,9 @@ static double density_of_sample(const struct question *question)
     return density(together, sample, PER_COARSE_CELL);
 }
 
-bool sample_is_even(const struct question *question, double most)
+bool sample_is_even(const struct question *question, double max_density)
 {
-    return density_of_sample(question) <= 2 * most;
+    return density_of_sample(question) <= 2 * max_density;
 }
 //<
 
@@ -69,9 +69,10 @@ static double density_in_cells(const struct sorted *sorted, double c)
     return density(together, sorted->points.n, c);
 }
 
-bool cells_are_even(const struct sorted *sorted, double c, double most)
+bool cells_are_even(const struct sorted *sorted, double c,
+                    double max_density)
 {
-    return density_in_cells(sorted, c) <= most;
+    return density_in_cells(sorted, c) <= max_density;
 }
 //<
 
@@ -86,7 +87,7 @@ static bool search_plane(const struct question *question,
     const struct partition partition =
         partition_make(question, c, RESTORE, workspace);
     const struct sorted *sorted = &partition.sorted;
-    if (!cells_are_even(sorted, c, MOST_DENSE))
+    if (!cells_are_even(sorted, c, MAX_DENSITY))
         return false;
     search_row_spans(question, &partition, workspace, wanted);
     wanted->nearest = NULL;
@@ -105,7 +106,7 @@ static bool search_wraparound(const struct question *question,
     const struct partition partition =
         partition_for_both(question, wanted);
     if (!cells_are_even(&partition.sorted, PER_CELL_FOR_BOTH,
-                        MOST_DENSE))
+                        MAX_DENSITY))
         return false;
     search_near_and_far(question, &partition, wanted);
     *wanted = (struct answers){0};
@@ -128,7 +129,7 @@ static bool search_even(const struct question *question,
             wanted->furthest = NULL;
         return few;
     }
-    if (!sample_is_even(question, MOST_DENSE))
+    if (!sample_is_even(question, MAX_DENSITY))
         return false;
     return question->space.geometry == STANDARD
                ? search_plane(question, wanted)

@@ -14,6 +14,8 @@ search_function by_sample;
 // and whether the points that are sorted into cells, c of them in each
 // on average, are even enough for a single grid: around a point no more
 // than so many times as dense, on average, as all.
-bool sample_is_even(const struct question *question, double most);
-bool cells_are_even(const struct sorted *sorted, double c, double most);
+bool sample_is_even(const struct question *question,
+                    double max_density);
+bool cells_are_even(const struct sorted *sorted, double c,
+                    double max_density);
 //<

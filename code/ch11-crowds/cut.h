@@ -1,10 +1,10 @@
 //> Declare the cut
 // Parts a list of points into two of about the same length, by a
 // coordinate. The cut is near the median of the longer side of their
-// box, neither part having less than an eighth of them; but equal
-// coordinates stay together, and where most are equal they are cut off,
-// below first and above next. Linear time, expected over our own random
-// choices, whatever the points are.
+// box, neither part having less than an eighth of them. But equal
+// coordinates stay together: where most are equal, one cut parts them
+// from what is below, the next from what is above. Linear time,
+// expected over our own random choices, whatever the points are.
 #pragma once
 #include <stdbool.h>
 #include <stdint.h>

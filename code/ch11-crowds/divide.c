@@ -1,4 +1,4 @@
-//> Search by halves
+//> Search by divide and conquer
 // A place compares itself, over the border, with those places of the
 // other half that its circle reaches as far as y and the border can
 // tell. No more than five circles of a half cover a place on the
@@ -23,8 +23,8 @@ struct halving {
     struct counts *counts;
 };
 
-struct some {
-    uint32_t begin, end;
+struct span {
+    uint32_t begin, end; // places begin to end - 1
 };
 //<
 
@@ -51,7 +51,7 @@ struct offset {
 };
 
 static uint32_t walk_on(const struct halving *halving, struct place *p,
-                        struct some other, int64_t k, int step,
+                        struct span other, int64_t k, int step,
                         struct offset at)
 {
     uint32_t steps = 0;
@@ -69,7 +69,7 @@ static uint32_t walk_on(const struct halving *halving, struct place *p,
 // With wraparound once more, from the other end: there the place is
 // seen over the seam.
 static uint32_t walk(const struct halving *halving, struct place *p,
-                     struct some other, int64_t k, int step,
+                     struct span other, int64_t k, int step,
                      double across)
 {
     uint32_t steps =
@@ -87,7 +87,7 @@ static uint32_t walk(const struct halving *halving, struct place *p,
 // For all places of one half, among those of the other. Nothing there
 // is nearer, across, than the border is.
 static uint64_t search_over(const struct halving *halving,
-                            struct some these, struct some other,
+                            struct span these, struct span other,
                             double border)
 {
     uint64_t distances = 0;
@@ -108,8 +108,8 @@ static uint64_t search_over(const struct halving *halving,
 //<
 
 //> Merge both halves from below
-static void merge(const struct halving *halving, struct some half,
-                  struct some other)
+static void merge(const struct halving *halving, struct span half,
+                  struct span other)
 {
     uint32_t *up = halving->up, *room = halving->room;
     uint32_t i = half.begin, k = other.begin;
@@ -127,16 +127,16 @@ static void merge(const struct halving *halving, struct some half,
 
 //> Divide and join
 enum { WORTH_A_TASK = 1 << 13 };
-static void divide(const struct halving *halving, struct some some)
+static void divide(const struct halving *halving, struct span span)
 {
-    const uint32_t middle = some.begin + (some.end - some.begin) / 2;
-    const struct some half = {some.begin, middle},
-                      other = {middle, some.end};
-    if (some.end - some.begin == 1) {
-        halving->up[some.begin] = some.begin;
+    const uint32_t middle = span.begin + (span.end - span.begin) / 2;
+    const struct span half = {span.begin, middle},
+                      other = {middle, span.end};
+    if (span.end - span.begin == 1) {
+        halving->up[span.begin] = span.begin;
         return;
     }
-#pragma omp task if (some.end - some.begin > WORTH_A_TASK)
+#pragma omp task if (span.end - span.begin > WORTH_A_TASK)
     divide(halving, half);
     divide(halving, other);
 #pragma omp taskwait
@@ -153,7 +153,7 @@ static void divide(const struct halving *halving, struct some some)
 // To the right of the rightmost place lies the leftmost again.
 static void search_over_seam(const struct halving *halving, uint32_t n)
 {
-    const struct some all = {0, n};
+    const struct span all = {0, n};
     const double left = halving->place[0].x;
     const double right = halving->place[n - 1].x;
     struct counts counts = {0};
@@ -220,10 +220,10 @@ static void answer(const struct place *place, uint32_t i,
 }
 //<
 
-void search_by_halves(const struct question *question,
-                      const uint32_t *query, uint32_t count,
-                      struct workspace *workspace,
-                      struct answers *answers)
+void search_divide_and_conquer(const struct question *question,
+                               const uint32_t *query, uint32_t count,
+                               struct workspace *workspace,
+                               struct answers *answers)
 {
     const uint32_t n = question->points.n;
     struct mark mark = workspace_mark(workspace);
@@ -239,7 +239,7 @@ void search_by_halves(const struct question *question,
         halving.place[where[query[k]]].is_query = true;
 #pragma omp parallel num_threads(question->threads)
 #pragma omp single
-    divide(&halving, (struct some){0, m});
+    divide(&halving, (struct span){0, m});
     if (question->space.geometry == WRAPAROUND)
         search_over_seam(&halving, m);
     for (uint32_t k = 0; k < count; k++)

@@ -1,5 +1,5 @@
-//> Declare the search by halves
-// Nearest neighbors by dividing and joining (Shamos and Hoey 1975):
+//> Declare the search by divide and conquer
+// Nearest neighbors by divide and conquer (Shamos and Hoey 1975):
 // the points are halved by x, each half is searched by itself, and what
 // is near the border is compared over it, in the order of y. n log n
 // steps at worst, if the squared distances of different places do not
@@ -12,8 +12,8 @@
 // Answers for the points query[0 .. count-1] of the question, by its
 // threads, and writes their neighbors to answers. What it needs is
 // taken from the workspace and given back.
-void search_by_halves(const struct question *question,
-                      const uint32_t *query, uint32_t count,
-                      struct workspace *workspace,
-                      struct answers *answers);
+void search_divide_and_conquer(const struct question *question,
+                               const uint32_t *query, uint32_t count,
+                               struct workspace *workspace,
+                               struct answers *answers);
 //<

@@ -9,8 +9,8 @@
 #include <string.h>
 
 //> Hold a leaf that grows
-struct growing {
-    const struct growth *growth;
+struct leaf_state {
+    const struct leaf_context *context;
     uint32_t first_piece, pieces; // of the leaf; how many so far
     uint32_t slots;               // how many more cuts it may make
     uint32_t next_node;           // that it may use
@@ -26,16 +26,16 @@ struct part {
 //> Fit a grid to a box
 // As chapter 4 does it, to two corners in place of n points, with
 // borders in the room that belongs to these points.
-static struct grid fit_grid(const struct growing *growing,
+static struct grid fit_grid(const struct leaf_state *state,
                             const struct part *part,
                             const struct box *box)
 {
     const uint32_t n = part->end - part->begin;
-    const size_t number = growing->first_piece + growing->pieces;
+    const size_t number = state->first_piece + state->pieces;
     const size_t begin = border_begin(part->begin, number);
     const size_t end = border_begin(part->end, number + 1);
     struct workspace room = {
-        .block[0] = {(char *)(growing->growth->border + begin),
+        .block[0] = {(char *)(state->context->border + begin),
                      (end - begin) * sizeof(double), 0}};
     double x[2] = {box->left, box->right};
     double y[2] = {box->bottom, box->top};
@@ -47,11 +47,11 @@ static struct grid fit_grid(const struct growing *growing,
 
 //> Count the points of the cells
 // And say how many there are, on average, in the cell of a point.
-static double count_cells(const struct growing *growing,
+static double count_cells(const struct leaf_state *state,
                           const struct part *part, struct piece *piece)
 {
-    struct point_record *record = growing->growth->record;
-    const uint32_t *list = growing->growth->pieces->sorted.cells.point;
+    struct point_record *record = state->context->record;
+    const uint32_t *list = state->context->pieces->sorted.cells.point;
     const struct grid *grid = &piece->sorted.grid;
     uint32_t *next = piece->sorted.cells.start + 1;
     const uint32_t m = grid_cells(grid);
@@ -70,11 +70,11 @@ static double count_cells(const struct growing *growing,
 
 //> Sort a piece
 // Scan and place, as in chapter 5.
-static void unpack(const struct growing *growing,
+static void unpack(const struct leaf_state *state,
                    const struct part *part)
 {
-    const struct pieces *pieces = growing->growth->pieces;
-    const struct point_record *record = growing->growth->record;
+    const struct pieces *pieces = state->context->pieces;
+    const struct point_record *record = state->context->record;
     for (uint32_t s = part->begin; s < part->end; s++) {
         const struct point_record *r = &record[pieces->inverse[s]];
         pieces->sorted.points.x[s] = r->x;
@@ -83,37 +83,36 @@ static void unpack(const struct growing *growing,
     }
 }
 
-static void sort_piece(const struct growing *growing,
+static void sort_piece(const struct leaf_state *state,
                        const struct part *part, struct piece *piece)
 {
-    const struct pieces *pieces = growing->growth->pieces;
-    const struct point_record *record = growing->growth->record;
+    const struct pieces *pieces = state->context->pieces;
+    const struct point_record *record = state->context->record;
     uint32_t *start = piece->sorted.cells.start;
+    uint32_t *to = pieces->inverse + part->begin;
     start[0] = 0;
     cells_scan(start + 1, grid_cells(&piece->sorted.grid), 0);
     for (uint32_t k = part->begin; k < part->end; k++) {
         const uint32_t number = pieces->sorted.cells.point[k];
-        pieces
-            ->inverse[part->begin + start[record[number].cell + 1]++] =
-            number;
+        to[start[record[number].cell + 1]++] = number;
     }
-    unpack(growing, part);
+    unpack(state, part);
 }
 //<
 
 //> Begin a piece
-static struct piece *begin_piece(const struct growing *growing,
+static struct piece *begin_piece(const struct leaf_state *state,
                                  const struct part *part)
 {
-    const struct pieces *pieces = growing->growth->pieces;
-    const uint32_t number = growing->first_piece + growing->pieces;
+    const struct pieces *pieces = state->context->pieces;
+    const uint32_t number = state->first_piece + state->pieces;
     struct piece *piece = &pieces->piece[number];
     const uint32_t begin = part->begin;
     *piece = (struct piece){
         .sorted = {.points = {part->end - begin,
                               pieces->sorted.points.x + begin,
                               pieces->sorted.points.y + begin},
-                   .cells = {growing->growth->start +
+                   .cells = {state->context->start +
                                  start_begin(begin, number),
                              pieces->sorted.cells.point + begin}},
         .region = part->region,
@@ -123,15 +122,15 @@ static struct piece *begin_piece(const struct growing *growing,
 //<
 
 //> End a piece in one place
-static void end_place(const struct growing *growing,
+static void end_place(const struct leaf_state *state,
                       const struct part *part, struct piece *piece)
 {
-    const struct pieces *pieces = growing->growth->pieces;
+    const struct pieces *pieces = state->context->pieces;
     piece->is_place = true;
     memcpy(pieces->inverse + part->begin,
            pieces->sorted.cells.point + part->begin,
            (part->end - part->begin) * sizeof(uint32_t));
-    unpack(growing, part);
+    unpack(state, part);
     piece->lowest = piece->second = NO_INDEX;
     for (uint32_t s = part->begin; s < part->end; s++) {
         const uint32_t i = pieces->sorted.cells.point[s];
@@ -141,65 +140,66 @@ static void end_place(const struct growing *growing,
 }
 //<
 
-static void grow(struct growing *growing, const struct part *part,
+static void grow(struct leaf_state *state, const struct part *part,
                  struct node *node);
 
 //> Cut a part
-static void grow_two(struct growing *growing, const struct part *part,
+static void grow_two(struct leaf_state *state, const struct part *part,
                      struct node *node)
 {
-    const struct growth *growth = growing->growth;
+    const struct leaf_context *context = state->context;
     struct part sides[2] = {*part, *part};
     struct cut cut;
     const uint32_t middle =
         part->begin +
-        cut_list(growth->record,
-                 growth->pieces->sorted.cells.point + part->begin,
+        cut_list(context->record,
+                 context->pieces->sorted.cells.point + part->begin,
                  part->end - part->begin, &node->box,
                  (struct cut_room){
-                     growth->pieces->sorted.points.x + part->begin,
-                     growth->pieces->inverse + part->begin},
+                     context->pieces->sorted.points.x + part->begin,
+                     context->pieces->inverse + part->begin},
                  &cut);
     sides[0].end = sides[1].begin = middle;
     *(cut.by_y ? &sides[0].region.top : &sides[0].region.right) =
         cut.at;
     *(cut.by_y ? &sides[1].region.bottom : &sides[1].region.left) =
         cut.at;
-    node->first_child = growing->next_node++;
-    node->second_child = growing->next_node++;
-    growing->slots--;
-    grow(growing, &sides[0], &growth->pieces->node[node->first_child]);
-    grow(growing, &sides[1], &growth->pieces->node[node->second_child]);
+    node->first_child = state->next_node++;
+    node->second_child = state->next_node++;
+    state->slots--;
+    grow(state, &sides[0], &context->pieces->node[node->first_child]);
+    grow(state, &sides[1], &context->pieces->node[node->second_child]);
 }
 //<
 
 //> Survey a part
 // Its box, and the lowest index.
-static void survey(const struct growth *growth, const struct part *part,
-                   struct node *node)
+static void survey(const struct leaf_context *context,
+                   const struct part *part, struct node *node)
 {
     const uint32_t *list =
-        growth->pieces->sorted.cells.point + part->begin;
+        context->pieces->sorted.cells.point + part->begin;
     const uint32_t n = part->end - part->begin;
-    *node = (struct node){box_of(growth->record, list, n), NO_INDEX};
+    *node = (struct node){box_of(context->record, list, n), NO_INDEX};
     for (uint32_t k = 0; k < n; k++)
-        node->lowest = MIN(growth->record[list[k]].point, node->lowest);
+        node->lowest =
+            MIN(context->record[list[k]].point, node->lowest);
 }
 //<
 
 //> Decide whether to cut
 // A cut costs less than a count of cells. So where the crowding is
 // many times too large, several cuts are made before the next count.
-static uint32_t cuts_wanted(const struct growing *growing,
+static uint32_t cuts_wanted(const struct leaf_state *state,
                             const struct part *part,
                             struct piece *piece, const struct box *box)
 {
     const bool may =
-        part->end - part->begin >= FEWEST_TO_CUT && growing->slots > 0;
+        part->end - part->begin >= FEWEST_TO_CUT && state->slots > 0;
     if (may && part->cuts > 0)
         return part->cuts;
-    piece->sorted.grid = fit_grid(growing, part, box);
-    const double together = count_cells(growing, part, piece);
+    piece->sorted.grid = fit_grid(state, part, box);
+    const double together = count_cells(state, part, piece);
     if (!may || together <= CROWDED)
         return 0;
     return 1 + (uint32_t)log2(together / CROWDED);
@@ -209,41 +209,42 @@ static uint32_t cuts_wanted(const struct growing *growing,
 //> Grow a part
 // No more pieces than there is room for: each part that waits to be
 // grown has a slot.
-static void grow(struct growing *growing, const struct part *part,
+static void grow(struct leaf_state *state, const struct part *part,
                  struct node *node)
 {
     const uint32_t n = part->end - part->begin;
-    survey(growing->growth, part, node);
+    survey(state->context, part, node);
     const struct box *box = &node->box;
-    struct piece *piece = begin_piece(growing, part);
+    struct piece *piece = begin_piece(state, part);
     if (n == 0 || distance2(box->right - box->left,
                             box->top - box->bottom) == 0) {
-        end_place(growing, part, piece);
+        end_place(state, part, piece);
     } else {
-        const uint32_t cuts = cuts_wanted(growing, part, piece, box);
+        const uint32_t cuts = cuts_wanted(state, part, piece, box);
         if (cuts > 0) {
             struct part again = *part;
             again.cuts = cuts - 1;
-            grow_two(growing, &again, node);
+            grow_two(state, &again, node);
             return;
         }
-        sort_piece(growing, part, piece);
+        sort_piece(state, part, piece);
     }
-    node->piece = growing->first_piece + growing->pieces++;
+    node->piece = state->first_piece + state->pieces++;
 }
 //<
 
-uint32_t grow_leaf(const struct growth *growth, const struct leaf *leaf)
+uint32_t grow_leaf(const struct leaf_context *context,
+                   const struct leaf *leaf)
 {
-    struct growing growing = {
-        .growth = growth,
+    struct leaf_state state = {
+        .context = context,
         .first_piece = leaf->piece,
         .slots = piece_slots(leaf->end - leaf->begin) - 1,
         .next_node = leaf->node + 1};
     const struct part all = {leaf->begin, leaf->end, leaf->region, 0};
     for (uint32_t k = leaf->begin; k < leaf->end; k++)
-        growth->pieces->sorted.cells.point[k] = k;
-    grow(&growing, &all, &growth->pieces->node[leaf->node]);
-    return growing.pieces;
+        context->pieces->sorted.cells.point[k] = k;
+    grow(&state, &all, &context->pieces->node[leaf->node]);
+    return state.pieces;
 }
 //<

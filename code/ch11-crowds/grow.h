@@ -1,11 +1,12 @@
 //> Declare how pieces grow
-// What all leaves of the splitter tree have in common while they become
-// pieces, each by itself and by one thread.
+// Each leaf of the splitter tree becomes pieces by itself, by one
+// thread: fitted to a grid, counted, and cut again where it crowds.
+// m log m steps at worst for m points.
 #pragma once
 #include "ch11-crowds/pieces.h"
 
 //> Hold what the pieces grow from
-struct growth {
+struct leaf_context {
     struct pieces *pieces;
     struct point_record *record; // the points, sent to the leaves
     uint32_t *start;             // room for the cells of all pieces
@@ -32,12 +33,13 @@ static inline uint32_t piece_slots(uint32_t n)
 //<
 
 //> Make room for grids
-// Where the borders of a piece begin, and its starts, if before it are
-// so many points and pieces: behind three numbers for four points, and
-// some more for each piece. A grid of n points has 2 n / 3 + 1/2 cells
-// at most, and if all are in one row, columns and rows are one more;
-// an axis has one border more than that, and is rounded up by 7 at
-// most. That is 2 n / 3 + 17 1/2, and 3 n / 4 + 23 are there.
+// Where the borders and the starts of a piece begin, behind those of
+// so many points and pieces. Reserved are three numbers for every four
+// points, and a few for every piece. That is enough: a grid of n points
+// has 2 n / 3 + 1/2 cells at most. If all are in one row, columns and
+// rows are one more together, each axis has one border more than cells,
+// and its length is rounded up by 7 at most: 2 n / 3 + 17 1/2 in all,
+// and at least 3 n / 4 + 23 are reserved.
 enum { SPARE_BORDERS = 24, SPARE_STARTS = 4 };
 
 static inline size_t border_begin(size_t points, size_t pieces)
@@ -62,6 +64,6 @@ struct leaf {
 //<
 
 // Turns a leaf into pieces and nodes, and says how many pieces.
-uint32_t grow_leaf(const struct growth *growth,
+uint32_t grow_leaf(const struct leaf_context *context,
                    const struct leaf *leaf);
 //<

@@ -4,11 +4,11 @@
 // geometry, for near and far.
 #pragma once
 #include "ch11-crowds/bounds.h"
-#include "ch11-crowds/piece_query.h"
+#include "ch11-crowds/tree_query.h"
 
 //> Compare, near or far
 INLINED void compare_points(const bool furthest,
-                            struct piece_query *query, uint32_t begin,
+                            struct tree_query *query, uint32_t begin,
                             uint32_t end)
 {
     if (furthest)
@@ -90,7 +90,7 @@ INLINED double slack(const enum geometry geometry, double x,
 INLINED void compare_row_of(const enum geometry geometry,
                             const bool furthest,
                             const struct piece *piece, uint32_t row,
-                            struct piece_query *query)
+                            struct tree_query *query)
 {
     const struct space space = query->all->space;
     const struct grid *grid = &piece->sorted.grid;
@@ -98,9 +98,8 @@ INLINED void compare_row_of(const enum geometry geometry,
     const double x = query->query.x, y = query->query.y;
     const double low = up->border[row], high = up->border[row + 1];
     const double other =
-        furthest
-            ? most_separation(geometry, space.height, low, high, y)
-            : least_separation(geometry, space.height, low, high, y);
+        furthest ? max_separation(geometry, space.height, low, high, y)
+                 : min_separation(geometry, space.height, low, high, y);
     const double across = reach(geometry, furthest, space.width,
                                 query->query.best2, other) +
                           slack(geometry, x, space.width);
@@ -121,16 +120,16 @@ INLINED void compare_row_of(const enum geometry geometry,
 //> Search a piece
 INLINED void search_rows(const enum geometry geometry,
                          const bool furthest, const struct piece *piece,
-                         struct box box, struct piece_query *query)
+                         struct box box, struct tree_query *query)
 {
     const struct space space = query->all->space;
     const struct axis *up = &piece->sorted.grid.y;
     const double x = query->query.x, y = query->query.y;
     const double other = furthest
-                             ? most_separation(geometry, space.width,
-                                               box.left, box.right, x)
-                             : least_separation(geometry, space.width,
-                                                box.left, box.right, x);
+                             ? max_separation(geometry, space.width,
+                                              box.left, box.right, x)
+                             : min_separation(geometry, space.width,
+                                              box.left, box.right, x);
     const double above = reach(geometry, furthest, space.height,
                                query->query.best2, other) +
                          slack(geometry, y, space.height);
@@ -141,7 +140,8 @@ INLINED void search_rows(const enum geometry geometry,
                           &rows))
             continue;
         for (uint32_t row = rows.first;
-             row <= rows.last && query->steps <= query->most; row++) {
+             row <= rows.last && query->steps <= query->max_steps;
+             row++) {
             query->steps++;
             box.bottom = up->border[row];
             box.top = up->border[row + 1];

@@ -78,9 +78,9 @@ static void send_all(const struct sending *sending)
 
 //> Let all leaves grow
 static void grow_all(const struct sending *sending,
-                     const struct growth *growth)
+                     const struct leaf_context *context)
 {
-    struct pieces *pieces = growth->pieces;
+    struct pieces *pieces = context->pieces;
     const uint32_t leaves = sending->tree->leaves;
 #pragma omp parallel for num_threads(sending->chunks) schedule(dynamic)
     for (uint32_t k = 0; k < leaves; k++) {
@@ -90,7 +90,7 @@ static void grow_all(const struct sending *sending,
                                   sending->tree->region[k],
                                   leaves - 1 + 2 * slot, slot};
         pieces->first[k] = leaf.piece;
-        pieces->count[k] = grow_leaf(growth, &leaf);
+        pieces->count[k] = grow_leaf(context, &leaf);
     }
 }
 //<
@@ -157,7 +157,7 @@ struct pieces pieces_make(const struct question *question,
         splitter_tree_make(p, POINTS_PER_LEAF, workspace);
     const size_t slots = piece_slots(p.n) + 2 * (size_t)tree.leaves;
     struct pieces pieces = take_pieces(p.n, tree.leaves, workspace);
-    const struct growth growth = {
+    struct leaf_context context = {
         .pieces = &pieces,
         .start = workspace_take(workspace, start_begin(p.n, slots),
                                 sizeof(uint32_t)),
@@ -165,8 +165,8 @@ struct pieces pieces_make(const struct question *question,
                                  sizeof(double))};
     struct mark mark = workspace_mark(workspace);
     const int chunks = question->threads;
-    struct growth grown = growth;
-    grown.record = workspace_take(workspace, p.n, sizeof *grown.record);
+    context.record =
+        workspace_take(workspace, p.n, sizeof *context.record);
     const struct sending sending = {
         p,
         chunks,
@@ -175,9 +175,9 @@ struct pieces pieces_make(const struct question *question,
         workspace_take(workspace, (size_t)chunks * tree.leaves,
                        sizeof(uint32_t)),
         workspace_take(workspace, tree.leaves + 1, sizeof(uint32_t)),
-        grown.record};
+        context.record};
     send_all(&sending);
-    grow_all(&sending, &grown);
+    grow_all(&sending, &context);
     join_all(&pieces);
     workspace_release(workspace, mark);
     return pieces;

@@ -1,4 +1,6 @@
 //> Search all pieces for one point
+// The points beside the query in memory are compared first: they give a
+// bound that is nearly right, and the tree of boxes has little to do.
 #include "ch11-crowds/point_search.h"
 #include "ch09-row-spans/span_kernels.h"
 
@@ -7,17 +9,17 @@
 // the next ones: so many on either side.
 enum { BESIDE = 4 };
 
-struct piece_query query_for(const struct scene *all,
-                             const struct pieces *pieces, uint32_t s,
-                             uint64_t most)
+struct tree_query query_for(const struct scene *all,
+                            const struct pieces *pieces, uint32_t s,
+                            uint64_t max_steps)
 {
-    return (struct piece_query){.pieces = pieces,
-                                .all = all,
-                                .query = query_of(all->sorted, s),
-                                .most = most};
+    return (struct tree_query){.pieces = pieces,
+                               .all = all,
+                               .query = query_of(all->sorted, s),
+                               .max_steps = max_steps};
 }
 
-struct neighbor answer_of(const struct piece_query *query, bool found,
+struct neighbor answer_of(const struct tree_query *query, bool found,
                           struct counts *counts)
 {
     counts->distances += query->query.compared;
@@ -46,9 +48,10 @@ struct scene scene_of(const struct question *question,
 //> Search near or far for one point
 struct neighbor nearest_of_all(const struct scene *all,
                                const struct pieces *pieces, uint32_t s,
-                               uint64_t most, struct counts *counts)
+                               uint64_t max_steps,
+                               struct counts *counts)
 {
-    struct piece_query query = query_for(all, pieces, s, most);
+    struct tree_query query = query_for(all, pieces, s, max_steps);
     compare_nearest(&query, beside_begin(s),
                     beside_end(s, pieces->sorted.points.n));
     return answer_of(&query, query_nearest(&query), counts);
@@ -58,7 +61,7 @@ struct neighbor furthest_of_all(const struct scene *all,
                                 const struct pieces *pieces, uint32_t s,
                                 struct counts *counts)
 {
-    struct piece_query query = query_for(all, pieces, s, UINT64_MAX);
+    struct tree_query query = query_for(all, pieces, s, UINT64_MAX);
     compare_furthest(&query, beside_begin(s),
                      beside_end(s, pieces->sorted.points.n));
     struct neighbor found =

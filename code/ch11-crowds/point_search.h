@@ -2,7 +2,7 @@
 // The neighbor of one point, searched for in all pieces.
 #pragma once
 #include "ch09-row-spans/batch_search.h"
-#include "ch11-crowds/piece_query.h"
+#include "ch11-crowds/tree_query.h"
 
 // All points as a scene, with the question's space.
 struct scene scene_of(const struct question *question,
@@ -12,17 +12,18 @@ struct scene scene_of(const struct question *question,
 // gives up after so many steps, with NO_INDEX.
 struct neighbor nearest_of_all(const struct scene *all,
                                const struct pieces *pieces, uint32_t s,
-                               uint64_t most, struct counts *counts);
+                               uint64_t max_steps,
+                               struct counts *counts);
 struct neighbor furthest_of_all(const struct scene *all,
                                 const struct pieces *pieces, uint32_t s,
                                 struct counts *counts);
 
 // The query of sorted point s, which has found nothing yet; and what it
 // has found in the end, counted.
-struct piece_query query_for(const struct scene *all,
-                             const struct pieces *pieces, uint32_t s,
-                             uint64_t most);
-struct neighbor answer_of(const struct piece_query *query, bool found,
+struct tree_query query_for(const struct scene *all,
+                            const struct pieces *pieces, uint32_t s,
+                            uint64_t max_steps);
+struct neighbor answer_of(const struct tree_query *query, bool found,
                           struct counts *counts);
 
 // Some points beside sorted point s: from one to the end.

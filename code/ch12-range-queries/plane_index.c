@@ -87,7 +87,7 @@ uint32_t piece_of(const struct plane_index *index, uint32_t s)
 //> Try a single grid
 // To compare one by one costs more than in batches: so a crowd is worth
 // a cut sooner than in chapter 11.
-static const double MOST_DENSE = 2;
+static const double MAX_DENSITY = 2;
 
 static bool take_one_grid(const struct question *question,
                           struct plane_index *index,
@@ -96,7 +96,7 @@ static bool take_one_grid(const struct question *question,
     const struct partition partition =
         partition_make(question, PER_CELL, NO_RESTORE, workspace);
     const struct sorted *sorted = &partition.sorted;
-    if (!cells_are_even(sorted, PER_CELL, MOST_DENSE))
+    if (!cells_are_even(sorted, PER_CELL, MAX_DENSITY))
         return false;
     index->is_even = true;
     index->per_cell = PER_CELL;
@@ -118,7 +118,7 @@ struct plane_index plane_index_make(const struct question *question,
     known.box = box;
     known.workspace = workspace;
     const struct mark mark = workspace_mark(workspace);
-    if (sample_is_even(&known, MOST_DENSE) &&
+    if (sample_is_even(&known, MAX_DENSITY) &&
         take_one_grid(&known, &index, workspace))
         return index;
     workspace_release(workspace, mark);

@@ -17,8 +17,8 @@ INLINED void take_place(const enum geometry geometry,
     const struct box *box = &node->box;
     const double x = query->x, y = query->y;
     const double far2 = distance2(
-        most_separation(STANDARD, 0, box->left, box->right, x),
-        most_separation(STANDARD, 0, box->bottom, box->top, y));
+        max_separation(STANDARD, 0, box->left, box->right, x),
+        max_separation(STANDARD, 0, box->bottom, box->top, y));
     const bool alike = box_is_place(box) || far2 == 0;
     uint32_t n = piece->sorted.points.n;
     if (alike && query->list->found)
@@ -35,8 +35,8 @@ static bool count_whole(const struct piece *piece,
 {
     const struct box *box = &node->box;
     const double far2 = distance2(
-        most_separation(STANDARD, 0, box->left, box->right, query->x),
-        most_separation(STANDARD, 0, box->bottom, box->top, query->y));
+        max_separation(STANDARD, 0, box->left, box->right, query->x),
+        max_separation(STANDARD, 0, box->bottom, box->top, query->y));
     if (query->list->found || far2 > query->list->reach2)
         return false;
     query->list->count +=

@@ -105,9 +105,9 @@ INLINED void take_row(const enum geometry geometry,
     const struct grid *grid = &piece->sorted.grid;
     const double across =
         reach(geometry, false, space.width, query->list->reach2,
-              least_separation(geometry, space.height,
-                               grid->y.border[row],
-                               grid->y.border[row + 1], query->y)) +
+              min_separation(geometry, space.height,
+                             grid->y.border[row],
+                             grid->y.border[row + 1], query->y)) +
         slack(geometry, query->x, space.width);
     const int images = geometry == WRAPAROUND;
     uint32_t next = 0;
@@ -134,8 +134,8 @@ INLINED void take_rows(const enum geometry geometry,
     const struct axis *up = &piece->sorted.grid.y;
     const double above =
         reach(geometry, false, space.height, query->list->reach2,
-              least_separation(geometry, space.width, box.left,
-                               box.right, query->x)) +
+              min_separation(geometry, space.width, box.left, box.right,
+                             query->x)) +
         slack(geometry, query->y, space.height);
     const int images = geometry == WRAPAROUND;
     uint32_t next = 0;

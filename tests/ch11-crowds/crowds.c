@@ -1,5 +1,5 @@
 // Crowds: the search by pieces and the one that chooses, against the
-// plainest search there is; the search by halves, made to answer for
+// plainest search there is; divide and conquer, made to answer for
 // all; distances that grow no faster than log n, whatever the points;
 // and what the pieces promise.
 #include "algorithms.h"
@@ -9,7 +9,7 @@
 #include "ch11-crowds/divide.h"
 #include "ch11-crowds/experiments/predict.h"
 #include "ch11-crowds/grow.h"
-#include "ch11-crowds/piece_search.h"
+#include "ch11-crowds/piece_batches.h"
 #include "ch11-crowds/point_search.h"
 #include "common/allocate.h"
 #include "common/generate.h"
@@ -353,7 +353,7 @@ static void queries_keep_to_their_steps(void)
     }
 }
 
-// The search by halves alone: log2 n joins of a few distances each, on
+// Divide and conquer alone: log2 n joins of a few distances each, on
 // whatever points.
 static void halves_are_n_log_n(void)
 {
@@ -369,7 +369,8 @@ static void halves_are_n_log_n(void)
             uint32_t *all = allocate(N, sizeof *all);
             for (uint32_t i = 0; i < N; i++)
                 all[i] = i;
-            search_by_halves(&question, all, N, &workspace, &found);
+            search_divide_and_conquer(&question, all, N, &workspace,
+                                      &found);
             CHECK(counts.distances < 4 * N * log2(N),
                   "%s, geometry %d: %g distances a point",
                   distributions[d].name, g,

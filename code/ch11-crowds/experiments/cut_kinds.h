@@ -1,7 +1,7 @@
 // Points of every kind, cut into pieces, one kind after the other: what
 // several experiments count things in.
 #pragma once
-#include "ch11-crowds/piece_search.h"
+#include "ch11-crowds/piece_batches.h"
 
 // Points of a kind in their pieces, with room for all neighbors. The
 // question is for one thread and counts nothing.

@@ -13,6 +13,6 @@ uint64_t steps_allowed(uint32_t n);
 // results in the order of the records; a query that has given up has
 // NO_INDEX. Says how many have.
 uint32_t search_pieces(const struct question *question,
-                       const struct pieces *pieces, uint64_t most,
+                       const struct pieces *pieces, uint64_t max_steps,
                        struct neighbor *results);
 //<

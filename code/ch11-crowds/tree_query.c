@@ -1,7 +1,8 @@
 //> Query all pieces
 // A stack of boxes that may hold something better. In a piece, the rows
-// of its grid that can, and of each row a span.
-#include "ch11-crowds/piece_query.h"
+// of its grid that can, and of each row a span. Few boxes are entered
+// in practice; no bound is proved, so the steps are counted.
+#include "ch11-crowds/tree_query.h"
 #include "ch09-row-spans/span_kernels.h"
 #include "ch11-crowds/piece_rows.h"
 #include <assert.h>
@@ -9,13 +10,13 @@
 //> Compare with a stretch of points
 // Not with one that is longer than the steps that are left: with it the
 // query gives up.
-static bool can_afford(struct piece_query *query, uint32_t points)
+static bool can_afford(struct tree_query *query, uint32_t points)
 {
     query->steps += points;
-    return query->steps <= query->most;
+    return query->steps <= query->max_steps;
 }
 
-void compare_nearest(struct piece_query *query, uint32_t begin,
+void compare_nearest(struct tree_query *query, uint32_t begin,
                      uint32_t end)
 {
     if (!can_afford(query, end - begin))
@@ -24,7 +25,7 @@ void compare_nearest(struct piece_query *query, uint32_t begin,
     query->query.compared += end - begin;
 }
 
-void compare_furthest(struct piece_query *query, uint32_t begin,
+void compare_furthest(struct tree_query *query, uint32_t begin,
                       uint32_t end)
 {
     const struct points p = query->pieces->sorted.points;
@@ -49,7 +50,7 @@ INLINED void search_place(const enum geometry geometry,
                           const bool furthest,
                           const struct piece *piece,
                           const struct node *node,
-                          struct piece_query *query)
+                          struct tree_query *query)
 {
     struct query *q = &query->query;
     const uint32_t n = piece->sorted.points.n;
@@ -77,8 +78,8 @@ static bool take_vanishing(const struct node *node, struct query *query)
     if (query->best2 > 0 || node->lowest == query->self)
         return false;
     const double far2 = distance2(
-        most_separation(STANDARD, 0, box->left, box->right, query->x),
-        most_separation(STANDARD, 0, box->bottom, box->top, query->y));
+        max_separation(STANDARD, 0, box->left, box->right, query->x),
+        max_separation(STANDARD, 0, box->bottom, box->top, query->y));
     if (far2 > 0)
         return false;
     query_keep(query, node->lowest, 0);
@@ -94,16 +95,15 @@ struct waiting {
 };
 //<
 
-INLINED bool query_pieces(const enum geometry geometry,
-                          const bool furthest,
-                          struct piece_query *query)
+INLINED bool query_tree(const enum geometry geometry,
+                        const bool furthest, struct tree_query *query)
 {
     const struct pieces *pieces = query->pieces;
     struct query *q = &query->query;
     struct waiting stack[DEEPEST + 1];
     int height = 1;
     stack[0] = (struct waiting){-INFINITY, 0};
-    while (height > 0 && query->steps <= query->most) {
+    while (height > 0 && query->steps <= query->max_steps) {
         const struct waiting next = stack[--height];
         const struct node *node = &pieces->node[next.node];
         if (!can_be_better(q, next.bound, node->lowest))
@@ -133,22 +133,22 @@ INLINED bool query_pieces(const enum geometry geometry,
         stack[height++] = swap ? a : b;
         //<
     }
-    return query->steps <= query->most;
+    return query->steps <= query->max_steps;
 }
 
 //> Search near or far, with a copy for each geometry
-bool query_nearest(struct piece_query *query)
+bool query_nearest(struct tree_query *query)
 {
     return query->all->space.geometry == STANDARD
-               ? query_pieces(STANDARD, false, query)
-               : query_pieces(WRAPAROUND, false, query);
+               ? query_tree(STANDARD, false, query)
+               : query_tree(WRAPAROUND, false, query);
 }
 
-bool query_furthest(struct piece_query *query)
+bool query_furthest(struct tree_query *query)
 {
     return query->all->space.geometry == STANDARD
-               ? query_pieces(STANDARD, true, query)
-               : query_pieces(WRAPAROUND, true, query);
+               ? query_tree(STANDARD, true, query)
+               : query_tree(WRAPAROUND, true, query);
 }
 //<
 //<

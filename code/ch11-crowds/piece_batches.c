@@ -1,8 +1,9 @@
 //> Search by pieces
 // A piece is a scene of its own for chapter 9's driver: plain geometry,
-// its own grid, its own points. A kernel of ours takes back what the
-// piece alone cannot know.
-#include "ch11-crowds/piece_search.h"
+// its own grid, its own points. A kernel of ours withdraws a
+// certificate where another piece may have something nearer. As many
+// steps as chapter 9, and a few more for queries near a border.
+#include "ch11-crowds/piece_batches.h"
 #include "ch09-row-spans/batch_search.h"
 #include "ch09-row-spans/span_kernels.h"
 #include "ch11-crowds/point_search.h"
@@ -10,17 +11,18 @@
 #include <math.h>
 
 //> Hold the scene of a piece
-// The scene comes first, so that its address is that of the whole.
-struct whole {
+// The scene comes first, so that its address is that of the
+// whole.
+struct all_pieces {
     struct scene scene; // of all points
     const struct pieces *pieces;
-    struct box box; // of all points
-    uint64_t most;  // steps of a query
+    struct box box;     // of all points
+    uint64_t max_steps; // of a query
 };
 
 struct piece_scene {
     struct scene scene;
-    const struct whole *whole;
+    const struct all_pieces *all;
     const struct piece *piece;
     uint32_t given_up; // how many queries
 };
@@ -44,8 +46,8 @@ static inline double piece_margin(const struct piece_scene *scene,
                                   double x, double y)
 {
     const struct box *r = &scene->piece->region;
-    const struct box *all = &scene->whole->box;
-    const struct space space = scene->whole->scene.space;
+    const struct box *all = &scene->all->box;
+    const struct space space = scene->all->scene.space;
     const bool wraps = space.geometry == WRAPAROUND;
     const double across =
         margin_of(x, r->left, r->right, all->left, all->right,
@@ -87,15 +89,15 @@ static void exact_nearest(const struct scene *scene,
                           struct neighbor *found, struct counts *counts)
 {
     struct piece_scene *piece = (void *)(uintptr_t)scene;
-    const struct whole *whole = piece->whole;
+    const struct all_pieces *all = piece->all;
     (void)context;
     s += piece->piece->begin;
-    struct piece_query query =
-        query_for(&whole->scene, whole->pieces, s, whole->most);
+    struct tree_query query =
+        query_for(&all->scene, all->pieces, s, all->max_steps);
     if (found->index != NO_INDEX && found->index != query.query.self)
         query.query.best2 = found->distance2;
     compare_nearest(&query, beside_begin(s),
-                    beside_end(s, whole->pieces->sorted.points.n));
+                    beside_end(s, all->pieces->sorted.points.n));
     *found = answer_of(&query, query_nearest(&query), counts);
     piece->given_up += found->index == NO_INDEX;
 }
@@ -104,13 +106,13 @@ static void exact_nearest(const struct scene *scene,
 //> Answer for points in one place
 // For the first of them, and once for all others: a lower index than
 // theirs may be in another piece, where distances vanish.
-static struct neighbor nearest_of_place(const struct whole *whole,
+static struct neighbor nearest_of_place(const struct all_pieces *all,
                                         const struct piece *piece,
                                         uint32_t s,
                                         struct counts *counts)
 {
-    struct piece_query query = query_for(&whole->scene, whole->pieces,
-                                         piece->begin + s, whole->most);
+    struct tree_query query = query_for(
+        &all->scene, all->pieces, piece->begin + s, all->max_steps);
     const uint32_t self = query.query.self;
     const uint32_t other =
         piece->lowest != self ? piece->lowest : piece->second;
@@ -118,9 +120,9 @@ static struct neighbor nearest_of_place(const struct whole *whole,
         query.query.best2 = 0;
         query.query.nearest = other;
     } else {
-        compare_nearest(&query, beside_begin(piece->begin + s),
-                        beside_end(piece->begin + s,
-                                   whole->pieces->sorted.points.n));
+        compare_nearest(
+            &query, beside_begin(piece->begin + s),
+            beside_end(piece->begin + s, all->pieces->sorted.points.n));
     }
     return answer_of(&query, query_nearest(&query), counts);
 }
@@ -139,7 +141,7 @@ static void answer_place(struct piece_scene *scene,
             s > 0 && p.x[s] == p.x[s - 1] && p.y[s] == p.y[s - 1];
         if (first || !again || others.index == NO_INDEX) {
             struct neighbor found =
-                nearest_of_place(scene->whole, piece, s, counts);
+                nearest_of_place(scene->all, piece, s, counts);
             scene->given_up += found.index == NO_INDEX;
             results[inverse[s]] = found;
             if (!first)
@@ -153,15 +155,15 @@ static void answer_place(struct piece_scene *scene,
 //<
 
 //> Search a piece by batches
-static uint32_t search_piece(const struct whole *whole,
+static uint32_t search_piece(const struct all_pieces *all,
                              const struct piece *piece,
                              struct neighbor *results,
                              struct counts *counts)
 {
-    const uint32_t *inverse = whole->pieces->inverse + piece->begin;
+    const uint32_t *inverse = all->pieces->inverse + piece->begin;
     struct piece_scene scene = {
-        {{STANDARD, 0, 0}, &piece->sorted, whole->scene.kernels},
-        whole,
+        {{STANDARD, 0, 0}, &piece->sorted, all->scene.kernels},
+        all,
         piece,
         0};
     const struct batch_search search = {.kernel = nearest_in_piece,
@@ -185,11 +187,11 @@ uint64_t steps_allowed(uint32_t n)
 }
 
 uint32_t search_pieces(const struct question *question,
-                       const struct pieces *pieces, uint64_t most,
+                       const struct pieces *pieces, uint64_t max_steps,
                        struct neighbor *results)
 {
-    const struct whole whole = {scene_of(question, pieces), pieces,
-                                pieces->node[0].box, most};
+    const struct all_pieces all = {scene_of(question, pieces), pieces,
+                                   pieces->node[0].box, max_steps};
     uint32_t given_up = 0;
 #pragma omp parallel for num_threads(question->threads) \
     schedule(dynamic) reduction(+ : given_up)
@@ -197,8 +199,8 @@ uint32_t search_pieces(const struct question *question,
         struct counts counts = {0};
         for (uint32_t piece = 0; piece < pieces->count[k]; piece++)
             given_up += search_piece(
-                &whole, &pieces->piece[pieces->first[k] + piece],
-                results, &counts);
+                &all, &pieces->piece[pieces->first[k] + piece], results,
+                &counts);
         counts_add(question->counts, &counts);
     }
     return given_up;

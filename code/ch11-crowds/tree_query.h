@@ -9,22 +9,22 @@
 //> Hold a query over all pieces
 // Its best is a squared distance, for the furthest with its sign
 // turned: the less, the better. Among equals the lower index.
-struct piece_query {
+struct tree_query {
     const struct pieces *pieces;
-    const struct scene *all; // the space, all sorted points
-    struct query query;      // as in chapter 9
-    uint64_t steps, most;    // rows, boxes and distances; at most
+    const struct scene *all;   // the space, all sorted points
+    struct query query;        // as in chapter 9
+    uint64_t steps, max_steps; // rows, boxes and distances
 };
 //<
 
 // Looks for a better neighbor than the query has. If it gives up, it
 // says false, and the best so far may not be the best.
-bool query_nearest(struct piece_query *query);
-bool query_furthest(struct piece_query *query);
+bool query_nearest(struct tree_query *query);
+bool query_furthest(struct tree_query *query);
 
 // Compares with the sorted points begin .. end - 1.
-void compare_nearest(struct piece_query *query, uint32_t begin,
+void compare_nearest(struct tree_query *query, uint32_t begin,
                      uint32_t end);
-void compare_furthest(struct piece_query *query, uint32_t begin,
+void compare_furthest(struct tree_query *query, uint32_t begin,
                       uint32_t end);
 //<
