@@ -20,8 +20,8 @@ static const double HAIR = 1e-9;
 static void choose_counts(struct cell_array *cells, double wanted)
 {
     const int d = cells->sorted.points.d;
-    double log_width[MOST_DIMENSIONS], log_side = INFINITY;
-    bool cut[MOST_DIMENSIONS];
+    double log_width[MAX_DIMENSIONS], log_side = INFINITY;
+    bool cut[MAX_DIMENSIONS];
     int left = 0;
     for (int k = 0; k < d; k++) {
         const double width = cells->range.high[k] - cells->range.low[k];
@@ -102,25 +102,25 @@ static void find_borders(struct cell_array *cells, int k)
 {
     const struct point_set *points = &cells->sorted.points;
     const uint32_t count = cells->count[k];
-    double *greatest = allocate(count, sizeof *greatest);
-    double *least = allocate(count, sizeof *least);
+    double *max_up_to = allocate(count, sizeof *max_up_to);
+    double *min_from = allocate(count, sizeof *min_from);
     for (uint32_t j = 0; j < count; j++) {
-        greatest[j] = -INFINITY;
-        least[j] = INFINITY;
+        max_up_to[j] = -INFINITY;
+        min_from[j] = INFINITY;
     }
     for (uint32_t s = 0; s < points->n; s++) {
         const double x = points->x[k][s];
         const uint32_t j = cell_along(cells, k, x);
-        greatest[j] = MAX(x, greatest[j]);
-        least[j] = MIN(x, least[j]);
+        max_up_to[j] = MAX(x, max_up_to[j]);
+        min_from[j] = MIN(x, min_from[j]);
     }
     for (uint32_t j = 1; j < count; j++) {
-        greatest[j] = MAX(greatest[j - 1], greatest[j]);
-        least[count - 1 - j] =
-            MIN(least[count - j], least[count - 1 - j]);
+        max_up_to[j] = MAX(max_up_to[j - 1], max_up_to[j]);
+        min_from[count - 1 - j] =
+            MIN(min_from[count - j], min_from[count - 1 - j]);
     }
-    cells->greatest[k] = greatest;
-    cells->least[k] = least;
+    cells->max_up_to[k] = max_up_to;
+    cells->min_from[k] = min_from;
 }
 //<
 
@@ -152,8 +152,8 @@ struct cell_array cell_array_make(const struct point_set *points,
 void cell_array_free(struct cell_array *cells)
 {
     for (int k = 0; k < cells->sorted.points.d; k++) {
-        free(cells->greatest[k]);
-        free(cells->least[k]);
+        free(cells->max_up_to[k]);
+        free(cells->min_from[k]);
     }
     sorted_points_free(&cells->sorted);
     free(cells->start);

@@ -9,19 +9,19 @@
 //> Hold the cell array
 struct cell_array {
     struct sorted_points sorted;
-    struct range range;              // of all points
-    uint32_t count[MOST_DIMENSIONS]; // cells along each coordinate
-    double scale[MOST_DIMENSIONS];   // cells for each unit of length
+    struct range range;             // of all points
+    uint32_t count[MAX_DIMENSIONS]; // cells along each coordinate
+    double scale[MAX_DIMENSIONS];   // cells for each unit of length
     uint32_t *start; // where each cell begins, and behind all, the end
     bool in_order;   // in a cell: by the last coordinate
     double per_cell;
-    // Of the slabs along each coordinate: the greatest number in slabs
-    // 0 to j, the least in j and all that follow.
-    double *greatest[MOST_DIMENSIONS], *least[MOST_DIMENSIONS];
+    // Along each coordinate: the greatest number in slabs 0 to j, and
+    // the least in slab j and all that follow.
+    double *max_up_to[MAX_DIMENSIONS], *min_from[MAX_DIMENSIONS];
 };
 //<
 
-// Usual for points per cell.
+// The points per cell that the table of structures asks for.
 enum { POINTS_PER_CELL = 3 };
 
 // Cells of per_cell points on average; in_order if binary searches

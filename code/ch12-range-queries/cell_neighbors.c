@@ -11,8 +11,8 @@
 struct search {
     const struct cell_array *cells;
     struct neighbors *query;
-    int64_t home[MOST_DIMENSIONS]; // the cell of the query
-    int64_t ring;                  // how far the block reaches
+    int64_t home[MAX_DIMENSIONS]; // the cell of the query
+    int64_t ring;                 // how far the block reaches
 };
 //<
 
@@ -23,9 +23,9 @@ static double way_to(const struct search *search, int k, int64_t j)
     const double x = search->query->at[k];
     double way = 0;
     if (j < search->home[k])
-        way = x - cells->greatest[k][j];
+        way = x - cells->max_up_to[k][j];
     else if (j > search->home[k])
-        way = cells->least[k][j] - x;
+        way = cells->min_from[k][j] - x;
     return way;
 }
 //<
@@ -90,18 +90,18 @@ static void walk(const struct search *search, int k, int64_t row,
 static bool is_open(const struct search *search)
 {
     const struct cell_array *cells = search->cells;
-    double least = INFINITY;
+    double min_way = INFINITY;
     bool open = false;
     for (int k = 0; k < cells->sorted.points.d; k++) {
         const int64_t below = search->home[k] - search->ring - 1;
         const int64_t above = search->home[k] + search->ring + 1;
         if (below >= 0)
-            least = MIN(way_to(search, k, below), least);
+            min_way = MIN(way_to(search, k, below), min_way);
         if (above < cells->count[k])
-            least = MIN(way_to(search, k, above), least);
+            min_way = MIN(way_to(search, k, above), min_way);
         open |= below >= 0 || above < cells->count[k];
     }
-    return open && least * least <= search->query->reach2;
+    return open && min_way * min_way <= search->query->reach2;
 }
 //<
 

@@ -16,7 +16,7 @@ struct cell_query {
     const struct cell_array *cells;
     const struct range *range;
     struct report *report;
-    struct block block[MOST_DIMENSIONS];
+    struct block block[MAX_DIMENSIONS];
 };
 //<
 

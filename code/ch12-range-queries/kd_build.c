@@ -30,11 +30,11 @@ static int widest(const struct point_set *points, struct span span)
 {
     const struct range range = range_of(points, span.begin, span.end);
     int axis = 0;
-    double most = -1;
+    double max_spread = -1;
     for (int k = 0; k < points->d; k++) {
         const double spread = range.high[k] / 2 - range.low[k] / 2;
-        if (spread > most) {
-            most = spread;
+        if (spread > max_spread) {
+            max_spread = spread;
             axis = k;
         }
     }
@@ -56,7 +56,7 @@ static double place_halves(const double *x, struct span span,
     uint32_t equal = middle - span.begin - below;
     //<
     uint32_t left = span.begin, right = middle;
-    double greatest = -INFINITY;
+    double left_max = -INFINITY;
     for (uint32_t i = span.begin; i < span.end; i++) {
         const bool same = (x[i] == median) & (equal > 0);
         const bool first = (x[i] < median) | same;
@@ -64,10 +64,10 @@ static double place_halves(const double *x, struct span span,
         equal -= same;
         left += first;
         right += !first;
-        const double value = first ? x[i] : greatest;
-        greatest = MAX(value, greatest);
+        const double value = first ? x[i] : left_max;
+        left_max = MAX(value, left_max);
     }
-    return greatest;
+    return left_max;
 }
 //<
 
@@ -149,14 +149,14 @@ static void build(struct kd_tree *tree, struct sorted_points other)
 //<
 
 //> Make the k-d tree
-struct kd_tree kd_make(const struct point_set *points, uint32_t leaf,
-                       int threads)
+struct kd_tree kd_make(const struct point_set *points,
+                       uint32_t leaf_size, int threads)
 {
     const uint32_t n = points->n;
     struct kd_tree tree = {sorted_points_allocate(n, points->d),
                            .threads = threads};
     //> Choose the depth and make room for the nodes
-    while ((n - 1) >> tree.depth >= leaf)
+    while ((n - 1) >> tree.depth >= leaf_size)
         tree.depth++;
     tree.leaves = 1u << tree.depth;
     tree.axis = allocate(tree.leaves, sizeof *tree.axis);

@@ -10,7 +10,7 @@
 struct search {
     const struct kd_tree *tree;
     struct neighbors *query;
-    double way[MOST_DIMENSIONS]; // along each coordinate, to the node
+    double way[MAX_DIMENSIONS]; // along each coordinate, to the node
 };
 
 static double way2(const struct search *search)

@@ -24,12 +24,12 @@ struct kd_tree {
 //<
 
 // At most so many points in a leaf are usual.
-enum { KD_LEAF = 16 };
+enum { KD_LEAF_SIZE = 16 };
 
-// With leaves of at most leaf points, at least two; so many threads
-// build it. The points are copied. Released with kd_free.
-struct kd_tree kd_make(const struct point_set *points, uint32_t leaf,
-                       int threads);
+// With leaves of at most leaf_size points, at least two; so many
+// threads build it. The points are copied. Released with kd_free.
+struct kd_tree kd_make(const struct point_set *points,
+                       uint32_t leaf_size, int threads);
 void kd_free(struct kd_tree *tree);
 size_t kd_bytes(const struct kd_tree *tree);
 

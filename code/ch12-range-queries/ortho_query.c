@@ -10,12 +10,12 @@ struct bin_query {
     const struct range *range;
     struct report *report;
     // Nodes from inner to end - 1 along a coordinate lie inside.
-    uint32_t first[MOST_DIMENSIONS], last[MOST_DIMENSIONS];
-    uint64_t inner[MOST_DIMENSIONS], end[MOST_DIMENSIONS];
+    uint32_t first[MAX_DIMENSIONS], last[MAX_DIMENSIONS];
+    uint64_t inner[MAX_DIMENSIONS], end[MAX_DIMENSIONS];
 };
 
 struct corner {
-    uint32_t bin[MOST_DIMENSIONS]; // the lowest of a node
+    uint32_t bin[MAX_DIMENSIONS]; // the lowest of a node
 };
 //<
 
@@ -38,15 +38,15 @@ static struct bin_query query_of(const struct orthotree *tree,
 //<
 
 //> Go down some levels
-// To the part in which a Morton number is.
+// To the node in which a Morton number is.
 static void go_down(const struct orthotree *tree, uint64_t key,
                     int level, int to, struct corner *corner)
 {
     for (; level < to; level++) {
-        const uint32_t part = part_of(tree, key, level);
+        const uint32_t child = child_of(tree, key, level);
         const int below = tree->levels - 1 - level;
         for (int k = 0; k < tree->sorted.points.d; k++)
-            corner->bin[k] |= (part >> k & 1) << below;
+            corner->bin[k] |= (child >> k & 1) << below;
     }
 }
 //<
@@ -73,7 +73,7 @@ static bool meets(const struct bin_query *query,
 }
 //<
 
-//> Visit the parts that the range meets
+//> Visit the children that the range meets
 static void visit(const struct bin_query *query, uint32_t number,
                   struct corner corner, int level)
 {
@@ -89,13 +89,14 @@ static void visit(const struct bin_query *query, uint32_t number,
     if (axes == 0)
         report_all(&tree->sorted, node->begin, node->end,
                    query->report);
-    else if (node->parts == 0)
+    else if (node->children == 0)
         report_inside(&tree->sorted, node->begin, node->end,
                       (struct filter){query->range, axes},
                       query->report);
     else
-        for (uint32_t part = 0; part < node->parts; part++)
-            visit(query, node->part + part, corner, node->level);
+        for (uint32_t child = 0; child < node->children; child++)
+            visit(query, node->first_child + child, corner,
+                  node->level);
 }
 
 void ortho_query(const struct orthotree *tree,

@@ -1,5 +1,6 @@
 //> Build the orthotree
-// One sort; then each node's parts are stretches of its own.
+// One sort by Morton numbers, in linear time; then each node's children
+// are stretches of its own, found in one pass for each level.
 #include "ch12-range-queries/orthotree.h"
 #include "ch12-range-queries/radix_sort.h"
 #include "common/allocate.h"
@@ -49,18 +50,18 @@ static uint32_t add_node(struct orthotree *tree, struct ortho_node node)
 }
 //<
 
-//> Add the parts of a node
+//> Add the children of a node
 // They are at one level: all of them, or those that are not empty.
-static void add_parts(struct orthotree *tree, uint32_t parent,
-                      const struct radix_record *record)
+static void add_children(struct orthotree *tree, uint32_t parent,
+                         const struct radix_record *record)
 {
     const struct ortho_node node = tree->node[parent];
-    const uint32_t parts = 1u << tree->sorted.points.d;
+    const uint32_t children = 1u << tree->sorted.points.d;
     uint32_t begin = node.begin, first = tree->count;
-    for (uint32_t part = 0; part < parts; part++) {
+    for (uint32_t child = 0; child < children; child++) {
         uint32_t end = begin;
         while (end < node.end &&
-               part_of(tree, record[end].key, node.level) == part)
+               child_of(tree, record[end].key, node.level) == child)
             end++;
         if (end > begin || !tree->compressed)
             add_node(tree, (struct ortho_node){
@@ -68,14 +69,14 @@ static void add_parts(struct orthotree *tree, uint32_t parent,
                                begin, end, 0, 0, node.level + 1});
         begin = end;
     }
-    tree->node[parent].part = first;
-    tree->node[parent].parts = (uint16_t)(tree->count - first);
+    tree->node[parent].first_child = first;
+    tree->node[parent].children = (uint16_t)(tree->count - first);
 }
 //<
 
-//> Cut a node in parts
+//> Cut a node
 // The compressed form goes on to the level where the first and the last
-// of its points part.
+// of its points separate.
 static void cut(struct orthotree *tree, uint32_t number,
                 const struct radix_record *record)
 {
@@ -85,27 +86,28 @@ static void cut(struct orthotree *tree, uint32_t number,
     const uint64_t first = record[node->begin].key;
     const uint64_t last = record[node->end - 1].key;
     while (tree->compressed && node->level < tree->levels &&
-           part_of(tree, first, node->level) ==
-               part_of(tree, last, node->level))
+           child_of(tree, first, node->level) ==
+               child_of(tree, last, node->level))
         node->level++;
-    if (node->end - node->begin <= tree->leaf ||
+    if (node->end - node->begin <= tree->leaf_size ||
         node->level == tree->levels)
         return;
-    add_parts(tree, number, record);
+    add_children(tree, number, record);
     const struct ortho_node now = tree->node[number]; // it may move
-    for (uint32_t part = 0; part < now.parts; part++)
-        cut(tree, now.part + part, record);
+    for (uint32_t child = 0; child < now.children; child++)
+        cut(tree, now.first_child + child, record);
 }
 //<
 
 struct orthotree ortho_make(const struct point_set *points,
-                            uint32_t leaf, bool compressed)
+                            uint32_t leaf_size, bool compressed)
 {
     const uint32_t n = points->n;
-    struct orthotree tree = {sorted_points_allocate(n, points->d),
-                             range_of(points, 0, n),
-                             .levels = MIN(64 / points->d, MOST_LEVELS),
-                             .leaf = leaf, .compressed = compressed};
+    struct orthotree tree = {
+        sorted_points_allocate(n, points->d), range_of(points, 0, n),
+        .levels = MIN(64 / points->d, MAX_LEVELS),
+
+        .leaf_size = leaf_size, .compressed = compressed};
     for (int k = 0; k < points->d; k++) {
         const double width = tree.range.high[k] - tree.range.low[k];
         tree.scale[k] = width > 0 ? ldexp(1, tree.levels) / width : 0;

@@ -1,9 +1,9 @@
 //> Declare the orthotree
-// Cut at the midpoint along all d coordinates at once: 2^d parts of
-// equal size, quadtree (Finkel and Bentley, 1974) and octree. Points
-// are sorted by Morton's numbering (1966), in which each part of each
-// part is a stretch. The compressed form has no empty nodes, and none
-// with one part only.
+// Cut at the midpoint along all d coordinates at once: 2^d children
+// of equal size, quadtree (Finkel and Bentley, 1974) and octree. Points
+// are sorted by Morton's numbering (1966), in which each node is a
+// stretch. The compressed form has no empty nodes, and none with only
+// one child.
 #pragma once
 #include "ch12-range-queries/scan.h"
 
@@ -11,9 +11,9 @@
 struct ortho_node {
     uint64_t key;        // Morton number of its first point
     uint32_t begin, end; // places of its points
-    uint32_t part;       // the first of its parts
-    uint16_t parts;      // how many; 0: a leaf
-    uint16_t level;      // how often space was halved
+    uint32_t first_child;
+    uint16_t children; // how many; 0: a leaf
+    uint16_t level;    // how often space was halved
 };
 //<
 
@@ -21,22 +21,22 @@ struct ortho_node {
 struct orthotree {
     struct sorted_points sorted;
     struct range range; // of all points
-    double scale[MOST_DIMENSIONS];
-    int levels; // 2^levels bins along each coordinate
-    uint32_t leaf;
+    double scale[MAX_DIMENSIONS];
+    int levels;         // 2^levels bins along each coordinate
+    uint32_t leaf_size; // a leaf has no more points
     bool compressed;
     struct ortho_node *node; // the root is the first
     uint32_t count, room;    // of nodes
 };
 //<
 
-enum { ORTHO_LEAF = 16, MOST_LEVELS = 32 };
+enum { ORTHO_LEAF_SIZE = 16, MAX_LEVELS = 32 };
 
-// Parts of more than leaf points are cut, down to as many levels as a
-// Morton number of 64 bits has: closer points share a leaf. The points
-// are copied. Released with ortho_free.
+// Nodes of more than leaf_size points are cut, down to as many levels
+// as a Morton number of 64 bits has: closer points share a leaf. The
+// points are copied. Released with ortho_free.
 struct orthotree ortho_make(const struct point_set *points,
-                            uint32_t leaf, bool compressed);
+                            uint32_t leaf_size, bool compressed);
 void ortho_free(struct orthotree *tree);
 size_t ortho_bytes(const struct orthotree *tree);
 
@@ -55,11 +55,11 @@ static inline uint32_t bin_along(const struct orthotree *tree, int k,
 }
 //<
 
-//> Find the part of a Morton number
-// Which part of a node of this level a Morton number is in: bit k says
+//> Find the child of a Morton number
+// Which child of a node of this level a Morton number is in: bit k says
 // that it is in the upper half of coordinate k.
-static inline uint32_t part_of(const struct orthotree *tree,
-                               uint64_t key, int level)
+static inline uint32_t child_of(const struct orthotree *tree,
+                                uint64_t key, int level)
 {
     const int d = tree->sorted.points.d;
     return key >> (tree->levels - 1 - level) * d & ((1u << d) - 1);

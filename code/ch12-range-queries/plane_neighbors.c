@@ -11,7 +11,7 @@ struct wanted {
     double reach2;
     const struct neighbor_lists *lists; // to be filled, or NULL: then
     uint32_t *count;                    // they are counted
-    uint32_t most;                      // in a list
+    uint32_t max_k;                     // in a list
 };
 //<
 
@@ -94,7 +94,7 @@ static void ask_for_all(const struct wanted *wanted,
     {
         struct near_list list = {0};
         if (wanted->lists)
-            list = near_list_make(wanted->most);
+            list = near_list_make(wanted->max_k);
         struct plane_query query = {.index = index, .list = &list};
 #pragma omp for schedule(dynamic)
         for (uint32_t k = 0; k < stretches; k++) {
@@ -123,9 +123,9 @@ void fill_plane_lists(const struct plane_index *index, double reach2,
 {
     struct wanted wanted = {index, reach2, lists, NULL, 0};
     for (uint32_t i = lists->first; i < lists->last; i++)
-        wanted.most = MAX(wanted.most, list_start(lists, i + 1) -
-                                           list_start(lists, i));
-    if (wanted.most > 0)
+        wanted.max_k = MAX(wanted.max_k, list_start(lists, i + 1) -
+                                             list_start(lists, i));
+    if (wanted.max_k > 0)
         ask_for_all(&wanted, counts);
 }
 //<

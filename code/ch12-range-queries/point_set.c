@@ -42,25 +42,25 @@ size_t point_set_bytes(const struct point_set *points)
 static void extremes(const double *x, uint32_t n, double *low,
                      double *high)
 {
-    double least[LANES], most[LANES];
+    double min[LANES], max[LANES];
     for (int lane = 0; lane < LANES; lane++)
-        least[lane] = most[lane] = x[0];
+        min[lane] = max[lane] = x[0];
     uint32_t i = 0;
     for (; i + LANES <= n; i += LANES)
         for (int lane = 0; lane < LANES; lane++) {
             const double value = x[i + lane];
-            least[lane] = MIN(value, least[lane]);
-            most[lane] = MAX(value, most[lane]);
+            min[lane] = MIN(value, min[lane]);
+            max[lane] = MAX(value, max[lane]);
         }
     for (; i < n; i++) {
-        least[0] = MIN(x[i], least[0]);
-        most[0] = MAX(x[i], most[0]);
+        min[0] = MIN(x[i], min[0]);
+        max[0] = MAX(x[i], max[0]);
     }
-    *low = least[0];
-    *high = most[0];
+    *low = min[0];
+    *high = max[0];
     for (int lane = 1; lane < LANES; lane++) {
-        *low = MIN(least[lane], *low);
-        *high = MAX(most[lane], *high);
+        *low = MIN(min[lane], *low);
+        *high = MAX(max[lane], *high);
     }
 }
 

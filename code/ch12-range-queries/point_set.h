@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MOST_DIMENSIONS = 8 };
+enum { MAX_DIMENSIONS = 8 };
 
 //> Hold a set of points
 // Behind the n numbers of each array there is room for LANES more, so
@@ -13,9 +13,9 @@ enum { MOST_DIMENSIONS = 8 };
 enum { LANES = 8 };
 
 struct point_set {
-    uint32_t n;                 // how many, at least one
-    int d;                      // dimensions, 1 to MOST_DIMENSIONS
-    double *x[MOST_DIMENSIONS]; // x[k][i]: coordinate k of point i
+    uint32_t n;                // how many, at least one
+    int d;                     // dimensions, 1 to MAX_DIMENSIONS
+    double *x[MAX_DIMENSIONS]; // x[k][i]: coordinate k of point i
 };
 //<
 
@@ -31,7 +31,7 @@ size_t point_set_bytes(const struct point_set *points);
 // coordinates: its borders belong to it. It is empty if one low is more
 // than its high. No number is a NaN.
 struct range {
-    double low[MOST_DIMENSIONS], high[MOST_DIMENSIONS];
+    double low[MAX_DIMENSIONS], high[MAX_DIMENSIONS];
 };
 //<
 

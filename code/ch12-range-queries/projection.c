@@ -49,9 +49,9 @@ size_t projection_bytes(const struct projection *projection)
 // which are shifted by a place. Gives up after so many shifts.
 static uint64_t insert_all(const double *x, uint32_t n, uint32_t *order)
 {
-    const uint64_t most = (uint64_t)MOST_SHIFTS * n;
+    const uint64_t max_shifts = (uint64_t)MAX_SHIFTS * n;
     uint64_t shifts = 0;
-    for (uint32_t r = 1; r < n && shifts <= most; r++) {
+    for (uint32_t r = 1; r < n && shifts <= max_shifts; r++) {
         const uint32_t point = order[r];
         uint32_t place = r;
         for (; place > 0 && x[order[place - 1]] > x[point]; place--)
@@ -59,7 +59,7 @@ static uint64_t insert_all(const double *x, uint32_t n, uint32_t *order)
         order[place] = point;
         shifts += r - place;
     }
-    if (shifts > most)
+    if (shifts > max_shifts)
         sort_by(x, n, order);
     return shifts;
 }

@@ -8,8 +8,8 @@
 
 //> Hold the projection
 struct projection {
-    struct point_set points;          // the caller's, not copied
-    uint32_t *order[MOST_DIMENSIONS]; // order[k]: sorted by x[k]
+    struct point_set points;         // the caller's, not copied
+    uint32_t *order[MAX_DIMENSIONS]; // order[k]: sorted by x[k]
 };
 //<
 
@@ -21,8 +21,8 @@ size_t projection_bytes(const struct projection *projection);
 
 // The points have moved: puts the references in order again, by
 // insertion where that takes few shifts, and else anew. Says how many
-// shifts there were, at most MOST_SHIFTS for each point and coordinate.
-enum { MOST_SHIFTS = 16 };
+// shifts there were, at most MAX_SHIFTS for each point and coordinate.
+enum { MAX_SHIFTS = 16 };
 uint64_t projection_update(struct projection *projection);
 
 void projection_query(const struct projection *projection,

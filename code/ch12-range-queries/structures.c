@@ -89,7 +89,7 @@ static void discard_projection(void *built)
 //> Wrap the k-d tree
 static void *build_kd(const struct point_set *points, int threads)
 {
-    const struct kd_tree made = kd_make(points, KD_LEAF, threads);
+    const struct kd_tree made = kd_make(points, KD_LEAF_SIZE, threads);
     return keep(&made, sizeof made);
 }
 
@@ -135,7 +135,8 @@ static void discard_kd(void *built)
 static void *build_ortho(const struct point_set *points, int threads)
 {
     (void)threads;
-    const struct orthotree made = ortho_make(points, ORTHO_LEAF, false);
+    const struct orthotree made =
+        ortho_make(points, ORTHO_LEAF_SIZE, false);
     return keep(&made, sizeof made);
 }
 
@@ -143,7 +144,8 @@ static void *build_compressed(const struct point_set *points,
                               int threads)
 {
     (void)threads;
-    const struct orthotree made = ortho_make(points, ORTHO_LEAF, true);
+    const struct orthotree made =
+        ortho_make(points, ORTHO_LEAF_SIZE, true);
     return keep(&made, sizeof made);
 }
 

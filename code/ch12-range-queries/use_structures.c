@@ -33,7 +33,7 @@ static void ask(const struct structure *structure, const void *built,
                 uint32_t s, struct neighbors *query)
 {
     const struct sorted_points *sorted = structure->walk_order(built);
-    double at[MOST_DIMENSIONS];
+    double at[MAX_DIMENSIONS];
     for (int k = 0; k < sorted->points.d; k++)
         at[k] = sorted->points.x[k][s];
     query->at = at;

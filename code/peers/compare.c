@@ -40,7 +40,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t largest = parameter(&e, "LARGEST", 10000, FEWEST, MANY);
-    int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS / 3);
+    int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS / 3);
     double seconds = parameter(&e, "SECONDS", 2, 1, MANY);
     static struct contenders contenders[ORDERS];
     for (int order = 0; order < ORDERS; order++)

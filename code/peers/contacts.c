@@ -13,7 +13,7 @@
 #include <inttypes.h>
 #include <math.h>
 
-enum { MOST_TRIALS = 20, EACH = 69, FEWER = 20000 };
+enum { MAX_TRIALS = 20, EACH = 69, FEWER = 20000 };
 
 static const char *const ours[] = {"clusters", "kd-tree", "cells",
                                    "sweep-kept", "sweep-and-prune"};
@@ -22,9 +22,9 @@ static const struct contact_peer *const peers[] = {
 
 // Boxes of each step, in both layouts.
 struct steps {
-    struct boxes boxes[MOST_TRIALS + 1];
-    double *row[MOST_TRIALS + 1];
-    uint64_t pairs[MOST_TRIALS + 1]; // that meet; 0: not known
+    struct boxes boxes[MAX_TRIALS + 1];
+    double *row[MAX_TRIALS + 1];
+    uint64_t pairs[MAX_TRIALS + 1]; // that meet; 0: not known
 };
 
 static void whole_bodies(const struct scene *scene,
@@ -105,7 +105,7 @@ static void print_program(const char *name, const char *kind,
                           const struct steps *steps, const double *ns,
                           int trials, uint64_t found)
 {
-    double sorted[MOST_TRIALS], sum = 0;
+    double sorted[MAX_TRIALS], sum = 0;
     const double n = steps->boxes[0].n;
     memcpy(sorted, ns + 1, trials * sizeof *ns);
     for (int step = 1; step <= trials; step++)
@@ -122,7 +122,7 @@ static void run_ours(const char *name, const char *kind,
 {
     const struct broad *broad = find_broad(name);
     struct pairs pairs = {0};
-    double ns[MOST_TRIALS + 1];
+    double ns[MAX_TRIALS + 1];
     void *kept = broad->begin(broad);
     for (int step = 0; step <= trials; step++) {
         const int64_t start = clock_ns();
@@ -140,7 +140,7 @@ static void run_ours(const char *name, const char *kind,
 static void run_peer(const struct contact_peer *peer, const char *kind,
                      struct steps *steps, int trials)
 {
-    double ns[MOST_TRIALS + 1];
+    double ns[MAX_TRIALS + 1];
     uint64_t found = 0;
     int64_t start = clock_ns();
     void *kept = peer->begin(steps->row[0], steps->boxes[0].n);
@@ -175,7 +175,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "BOXES", 10000, 100, 10000000);
-    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     columns(&e, "name program kind n pairs first mean ns:3");
     for (int whole = 0; whole < 2; whole++) {
         const uint32_t boxes = whole ? n / 4 : n; // made of many each

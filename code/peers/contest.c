@@ -69,7 +69,7 @@ static struct times repeat(const struct program *program, int leaf,
                            const struct instance *instance, int threads,
                            int trials, struct answers *answers)
 {
-    double time[3][MOST_TRIALS];
+    double time[3][MAX_TRIALS];
     for (int trial = trials > 1 ? -1 : 0; trial < trials; trial++) {
         struct run run =
             program->search

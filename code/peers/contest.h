@@ -27,12 +27,12 @@ struct instance {
 struct instance instance_of(struct points points);
 void instance_free(struct instance *instance);
 
-enum { MOST_TRIALS = 100 };
+enum { MAX_TRIALS = 100 };
 
 struct rules {
     double limit;    // ns a point: what needs more is not run
     double patience; // ns for the trials of a program, but at least one
-    int trials;      // at most, and at most MOST_TRIALS
+    int trials;      // at most, and at most MAX_TRIALS
     int threads;     // all of them
 };
 

@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     uint32_t largest = parameter(&e, "LARGEST", 10000, FEWEST, MANY);
     struct rules rules = {.limit = limit,
                           .threads = omp_get_num_procs()};
-    rules.trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    rules.trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     rules.patience = 1e9 * parameter(&e, "SECONDS", 2, 1, MANY);
     const int files = e.next;
     e.next = argc;

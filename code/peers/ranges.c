@@ -12,7 +12,7 @@
 #include "peers/range_scene.h"
 #include "peers/range_scipy.h"
 
-enum { MOST_TRIALS = 20 };
+enum { MAX_TRIALS = 20 };
 
 static const char *const kinds[] = {"uniform", "clustered", "kuzmin"};
 static const char *const ours[] = {"kd-tree", "cells",
@@ -35,7 +35,7 @@ static uint64_t within_ours(const struct structure *s,
     const struct sorted_points *sorted = s->walk_order(built);
     uint64_t count = 0;
     for (uint32_t i = 0; i < sorted->points.n; i++) {
-        double place[MOST_DIMENSIONS];
+        double place[MAX_DIMENSIONS];
         for (int k = 0; k < sorted->points.d; k++)
             place[k] = sorted->points.x[k][i];
         struct neighbors query = {.at = place,
@@ -145,7 +145,7 @@ static void print_program(const struct program *program,
                           int trials)
 {
     const char *name = program->name;
-    double ns[TASKS][MOST_TRIALS];
+    double ns[TASKS][MAX_TRIALS];
     for (int trial = -1; trial < trials; trial++) {
         const struct range_run run = run_program(program, scene);
         compare_answers(name, &run, scene);
@@ -201,7 +201,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 10000, 100, MANY);
-    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     const bool scipy = scipy_is_there();
     columns(&e, "name program kind d n build:3 nearest:3 within:3 "
                 "boxes:3");

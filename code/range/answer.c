@@ -7,7 +7,7 @@
 #include <string.h>
 
 void place_of_query(const struct task *task, uint32_t q,
-                    double place[MOST_DIMENSIONS])
+                    double place[MAX_DIMENSIONS])
 {
     const struct queries *queries = &task->queries;
     for (int k = 0; k < task->points.d; k++)
@@ -63,7 +63,7 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
                              const struct room *room,
                              struct totals *totals)
 {
-    double place[MOST_DIMENSIONS];
+    double place[MAX_DIMENSIONS];
     place_of_query(task, q, place);
     struct neighbors query = {.at = place,
                               .self = self_of_query(task, q),

@@ -36,6 +36,6 @@ void answers_release(struct answer *answer, uint32_t count);
 
 // Query q as the structure wants it.
 void place_of_query(const struct task *task, uint32_t q,
-                    double place[MOST_DIMENSIONS]);
+                    double place[MAX_DIMENSIONS]);
 struct range range_of_query(const struct task *task, uint32_t q);
 uint32_t self_of_query(const struct task *task, uint32_t q);

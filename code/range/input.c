@@ -14,7 +14,7 @@ struct point_set get_point_set(const struct options *options)
     const int d = options->dimensions;
     progress_start(options->file ? "reading" : "drawing points", 0);
     if (options->file) {
-        struct rows rows = read_rows(options->file, 0, MOST_DIMENSIONS);
+        struct rows rows = read_rows(options->file, 0, MAX_DIMENSIONS);
         points = point_set_allocate(rows.count, rows.columns);
         for (int k = 0; k < points.d; k++)
             for (uint32_t i = 0; i < points.n; i++)

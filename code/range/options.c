@@ -37,7 +37,7 @@ static void take_name(struct options *o, int option)
     switch (option) {
     case DIMENSIONS:
         o->dimensions =
-            parse_count("--dimensions", optarg, 1, MOST_DIMENSIONS);
+            parse_count("--dimensions", optarg, 1, MAX_DIMENSIONS);
         break;
     case BOX:
         wish(o, BOXES);

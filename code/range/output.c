@@ -97,7 +97,7 @@ static bool place_is_right(const struct task *task, uint32_t q,
     const struct options *o = task->options;
     const uint32_t n = task->points.n, self = self_of_query(task, q);
     const uint32_t others = n - (self < n), count = answer->count;
-    double place[MOST_DIMENSIONS];
+    double place[MAX_DIMENSIONS];
     place_of_query(task, q, place);
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t i = answer->point[k];

@@ -194,7 +194,7 @@ static void all_structures(void)
 {
     static const uint32_t sizes[] = {1, 2, 15, 16, 17, 333};
     for (int row = 0; row < structure_count; row++)
-        for (int d = 1; d <= MOST_DIMENSIONS; d++)
+        for (int d = 1; d <= MAX_DIMENSIONS; d++)
             for (int kind = 0; kind < distribution_count; kind++)
                 for (int k = 0; k < 6; k++)
                     check_structure(distributions[kind].name, sizes[k],
@@ -204,7 +204,7 @@ static void all_structures(void)
 static void many_points(void)
 {
     for (int row = 0; row < structure_count; row++)
-        for (int d = 1; d <= MOST_DIMENSIONS; d++) {
+        for (int d = 1; d <= MAX_DIMENSIONS; d++) {
             const uint32_t n = at_most("MOST_POINTS", 20000);
             check_structure("uniform", n, d, &structures[row]);
             check_structure("kuzmin", n, d, &structures[row]);
@@ -217,10 +217,10 @@ static void many_queries(void)
     const char *wanted = getenv("RANGE_QUERIES");
     const double most = wanted ? atof(wanted) : 20000;
     const double each =
-        most / structure_count / MOST_DIMENSIONS / distribution_count;
+        most / structure_count / MAX_DIMENSIONS / distribution_count;
     struct random random = {11};
     for (int row = 0; row < structure_count; row++)
-        for (int d = 1; d <= MOST_DIMENSIONS; d++)
+        for (int d = 1; d <= MAX_DIMENSIONS; d++)
             for (int kind = 0; kind < distribution_count; kind++) {
                 struct bench bench = bench_of(
                     generate_set(&distributions[kind], 100, d, 3));
@@ -315,7 +315,7 @@ static void check_neighbors(const struct bench *bench,
     const struct point_set *p = &bench->points;
     struct random random = {p->n};
     for (int trial = 0; trial < 6; trial++) {
-        double place[MOST_DIMENSIONS];
+        double place[MAX_DIMENSIONS];
         const uint32_t i = random_bits(&random) % p->n;
         for (int k = 0; k < p->d; k++) {
             const double low = bench->all.low[k];
@@ -367,7 +367,7 @@ static void nearest_of_each(void)
         void *built = s->build(&bench.points, 2);
         k_nearest_of_all(s, built, K, 3, nearest, nearest2);
         for (uint32_t i = 0; i < n; i += 17) {
-            double place[MOST_DIMENSIONS] = {0};
+            double place[MAX_DIMENSIONS] = {0};
             for (int k = 0; k < 3; k++)
                 place[k] = bench.points.x[k][i];
             sort_all(&bench.points, place, i, order);
@@ -444,8 +444,8 @@ static void threads_make_the_same_tree(void)
     const uint32_t n = at_most("MOST_POINTS", 40000);
     struct point_set points =
         generate_set(find_distribution("clustered"), n, 3, 4);
-    struct kd_tree one = kd_make(&points, KD_LEAF, 1);
-    struct kd_tree four = kd_make(&points, KD_LEAF, 4);
+    struct kd_tree one = kd_make(&points, KD_LEAF_SIZE, 1);
+    struct kd_tree four = kd_make(&points, KD_LEAF_SIZE, 4);
     CHECK_INT(one.depth, four.depth, "depth");
     CHECK(memcmp(one.sorted.index, four.sorted.index,
                  n * sizeof *one.sorted.index) == 0,
@@ -464,16 +464,16 @@ static void leaves_are_filled_evenly(void)
             generate_set(find_distribution("equal"), n, 2, 4);
         for (uint32_t leaf = 2; leaf < 20; leaf += 5) {
             struct kd_tree tree = kd_make(&points, leaf, 1);
-            uint32_t least = n, most = 0;
+            uint32_t min = n, max = 0;
             for (uint32_t l = 0; l < tree.leaves; l++) {
                 const struct span span = kd_leaf(&tree, l);
                 const uint32_t count = span.end - span.begin;
-                least = count < least ? count : least;
-                most = count > most ? count : most;
+                min = count < min ? count : min;
+                max = count > max ? count : max;
             }
-            CHECK(least >= 1 && most <= leaf && most - least <= 1,
-                  "%u points, leaves of %u: %u to %u", n, leaf, least,
-                  most);
+            CHECK(min >= 1 && max <= leaf && max - min <= 1,
+                  "%u points, leaves of %u: %u to %u", n, leaf, min,
+                  max);
             kd_free(&tree);
         }
         point_set_free(&points);
@@ -535,11 +535,13 @@ static void close_points_share_a_leaf(void)
 {
     struct point_set points =
         generate_set(find_distribution("equal"), 1000, 2, 4);
-    struct orthotree plain = ortho_make(&points, ORTHO_LEAF, false);
-    struct orthotree compressed = ortho_make(&points, ORTHO_LEAF, true);
+    struct orthotree plain =
+        ortho_make(&points, ORTHO_LEAF_SIZE, false);
+    struct orthotree compressed =
+        ortho_make(&points, ORTHO_LEAF_SIZE, true);
     points.x[0][0] += 1e-9;
-    struct orthotree close = ortho_make(&points, ORTHO_LEAF, true);
-    CHECK(plain.count <= 1 + 4 * MOST_LEVELS, "%u nodes", plain.count);
+    struct orthotree close = ortho_make(&points, ORTHO_LEAF_SIZE, true);
+    CHECK(plain.count <= 1 + 4 * MAX_LEVELS, "%u nodes", plain.count);
     CHECK_INT(1, compressed.count, "nodes of one place");
     CHECK_INT(3, close.count, "nodes of two places");
     ortho_free(&plain);
@@ -559,7 +561,7 @@ static void small_moves_are_repaired(void)
     CHECK_INT(N - 1, projection_update(&projection), "one to the end");
     for (uint32_t i = 0; i < N; i++)
         points.x[1][i] = -points.x[1][i];
-    CHECK(projection_update(&projection) > (uint64_t)MOST_SHIFTS * N,
+    CHECK(projection_update(&projection) > (uint64_t)MAX_SHIFTS * N,
           "all turned round");
     for (int k = 0; k < 2; k++)
         for (uint32_t r = 1; r < N; r++)

@@ -37,9 +37,10 @@ int main(int argc, char **argv)
             for (int i = EVEN; i < EVEN + CLOSE; i++)
                 points.x[k][i] =
                     1 / 3.0 + side * random_uniform(&random);
-        struct orthotree plain = ortho_make(&points, ORTHO_LEAF, false);
+        struct orthotree plain =
+            ortho_make(&points, ORTHO_LEAF_SIZE, false);
         struct orthotree compressed =
-            ortho_make(&points, ORTHO_LEAF, true);
+            ortho_make(&points, ORTHO_LEAF_SIZE, true);
         row("close_%d\t%d\t%u\t%u\t%" PRIu64 "\t%" PRIu64, j, j,
             plain.count, compressed.count, steps_of(&plain, side),
             steps_of(&compressed, side));

@@ -6,7 +6,7 @@
 // dimensions has time for a dozen.
 //
 //     lines [LARGEST]
-#include "ch12-range-queries/experiments/probe.h"
+#include "ch12-range-queries/experiments/query_workload.h"
 #include "ch12-range-queries/kd_tree.h"
 #include "common/min_max.h"
 #include <math.h>
@@ -14,22 +14,22 @@
 static double leaves_of(uint32_t n)
 {
     double leaves = 1;
-    while (floor((n - 1) / leaves) >= KD_LEAF)
+    while (floor((n - 1) / leaves) >= KD_LEAF_SIZE)
         leaves *= 2;
     return leaves;
 }
 
 // Flat along one coordinate after the other.
-static void flat_boxes(struct probe *probe)
+static void flat_boxes(struct query_workload *workload)
 {
-    const int d = probe->points.d;
+    const int d = workload->points.d;
     struct random random = {41};
-    for (int q = 0; q < MOST_BOXES; q++) {
+    for (int q = 0; q < MAX_BOXES; q++) {
         const int k = q % d;
-        const double low = probe->all.low[k];
-        const double width = probe->all.high[k] - low;
-        probe->box[q] = probe->all;
-        probe->box[q].low[k] = probe->box[q].high[k] =
+        const double low = workload->all.low[k];
+        const double width = workload->all.high[k] - low;
+        workload->box[q] = workload->all;
+        workload->box[q].low[k] = workload->box[q].high[k] =
             low + width * random_uniform(&random);
     }
 }
@@ -53,15 +53,15 @@ static void print_eight(const struct structure *s)
 {
     enum { N = 300000, HELD = 100 };
     const double share = pow((double)HELD / N, 1.0 / 8);
-    struct probe *probe = probe_of("uniform", N, 8);
-    boxes_anywhere(probe, share);
-    const struct report sum = ask_all(probe, s);
+    struct query_workload *workload = workload_of("uniform", N, 8);
+    boxes_anywhere(workload, share);
+    const struct report sum = ask_all(workload, s);
     const double met =
         pow(parts_met(4, share), 7) * parts_met(2, share);
     row("cube_8d\t8\t%u\t%.0f\t%.5g\t%.5g\t%.5g\t%u", N, leaves_of(N),
-        N / leaves_of(N) * met, sum.tested / (double)MOST_BOXES,
-        sum.steps / (double)MOST_BOXES, sum.count);
-    probe_free(probe);
+        N / leaves_of(N) * met, sum.tested / (double)MAX_BOXES,
+        sum.steps / (double)MAX_BOXES, sum.count);
+    workload_free(workload);
 }
 
 int main(int argc, char **argv)
@@ -73,15 +73,16 @@ int main(int argc, char **argv)
     columns(&e, "name d n leaves predicted tested steps found");
     for (int d = 2; d <= 3; d++)
         for (uint32_t n = 1000; n <= largest; n *= 10) {
-            struct probe *probe = probe_of("uniform", n, d);
-            flat_boxes(probe);
-            const struct report sum = ask_all(probe, s);
+            struct query_workload *workload =
+                workload_of("uniform", n, d);
+            flat_boxes(workload);
+            const struct report sum = ask_all(workload, s);
             const double leaves = leaves_of(n);
             row("line_%dd_%u\t%d\t%u\t%.0f\t%.5g\t%.5g\t%.5g\t%u", d, n,
                 d, n, leaves, n * pow(leaves, -1.0 / d),
-                sum.tested / (double)MOST_BOXES,
-                sum.steps / (double)MOST_BOXES, sum.count);
-            probe_free(probe);
+                sum.tested / (double)MAX_BOXES,
+                sum.steps / (double)MAX_BOXES, sum.count);
+            workload_free(workload);
         }
     print_eight(s);
 }

@@ -3,7 +3,7 @@
 // what a query costs after ten steps.
 //
 //     motion [POINTS [TRIALS]]
-#include "ch12-range-queries/experiments/probe.h"
+#include "ch12-range-queries/experiments/query_workload.h"
 #include <math.h>
 
 enum { STEPS = 10, HELD = 100 };
@@ -14,21 +14,21 @@ static const double lengths[] = {0, 0.001, 0.01, 0.1, 1, 10};
 static void print_motion(const struct structure *s, uint32_t n,
                          double length, int trials)
 {
-    struct probe *probe = probe_of("uniform", n, 3);
+    struct query_workload *workload = workload_of("uniform", n, 3);
     const double spacing = pow(n, -1.0 / 3);
     double update[STEPS];
     int64_t start = clock_ns();
-    void *built = s->build(&probe->points, 1);
+    void *built = s->build(&workload->points, 1);
     const double build_ns = clock_ns() - start;
     for (int step = 0; step < STEPS; step++) {
-        move_points(probe, length * spacing);
+        move_points(workload, length * spacing);
         start = clock_ns();
-        built = structure_update(s, built, &probe->points, 1);
+        built = structure_update(s, built, &workload->points, 1);
         update[step] = clock_ns() - start;
     }
     const struct summary summary = summarize(update, STEPS);
-    boxes_anywhere(probe, pow((double)HELD / n, 1.0 / 3));
-    const struct cost cost = ask_boxes(probe, s, built, trials);
+    boxes_anywhere(workload, pow((double)HELD / n, 1.0 / 3));
+    const struct cost cost = ask_boxes(workload, s, built, trials);
     row_begin("%s_moved_%g\t%s\t%g\t%u\t%.4g", s->name, 1000 * length,
               s->name, length, n, build_ns / n);
     row_times(&summary, n);
@@ -36,14 +36,14 @@ static void print_motion(const struct structure *s, uint32_t n,
     row_times(&cost.ns, 1);
     row_end();
     s->discard(built);
-    probe_free(probe);
+    workload_free(workload);
 }
 
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
-    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     columns(&e, "name structure length n build update:3 tested ns:3");
     for (int row = 1; row < structure_count; row++) // after the scan
         for (int k = 0; k < COUNT_OF(lengths); k++)

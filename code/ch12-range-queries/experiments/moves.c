@@ -3,7 +3,7 @@
 // predicted.
 //
 //     moves [POINTS]
-#include "ch12-range-queries/experiments/probe.h"
+#include "ch12-range-queries/experiments/query_workload.h"
 #include "ch12-range-queries/projection.h"
 #include <math.h>
 
@@ -18,15 +18,17 @@ int main(int argc, char **argv)
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     columns(&e, "name length n predicted moves");
     for (int k = 0; k < COUNT_OF(lengths); k++) {
-        struct probe *probe = probe_of("uniform", n, DIMENSIONS);
+        struct query_workload *workload =
+            workload_of("uniform", n, DIMENSIONS);
         const double step = lengths[k] * pow(n, -1.0 / DIMENSIONS);
-        struct projection projection = projection_make(&probe->points);
-        move_points(probe, step);
+        struct projection projection =
+            projection_make(&workload->points);
+        move_points(workload, step);
         const double shifts =
             (double)projection_update(&projection) / n / DIMENSIONS;
         row("moves_%g\t%g\t%u\t%.4g\t%.4g", 10000 * lengths[k],
             lengths[k], n, n * step / 3, shifts);
         projection_free(&projection);
-        probe_free(probe);
+        workload_free(workload);
     }
 }

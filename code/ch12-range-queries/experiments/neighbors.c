@@ -3,25 +3,26 @@
 // points, even ones in three dimensions.
 //
 //     neighbors [POINTS]
-#include "ch12-range-queries/experiments/probe.h"
+#include "ch12-range-queries/experiments/query_workload.h"
 #include <math.h>
 
 enum { WANTED = 8 };
 
 static struct neighbors ask(const struct structure *s,
-                            const void *built, struct probe *probe,
+                            const void *built,
+                            struct query_workload *workload,
                             double distance, double *distance2)
 {
     struct neighbors sum = {.self = NO_INDEX};
     struct random random = {47};
-    for (int q = 0; q < MOST_BOXES; q++) {
-        const uint32_t i = random_bits(&random) % probe->points.n;
-        double place[MOST_DIMENSIONS];
-        for (int k = 0; k < probe->points.d; k++)
-            place[k] = probe->points.x[k][i];
+    for (int q = 0; q < MAX_BOXES; q++) {
+        const uint32_t i = random_bits(&random) % workload->points.n;
+        double place[MAX_DIMENSIONS];
+        for (int k = 0; k < workload->points.d; k++)
+            place[k] = workload->points.x[k][i];
         struct neighbors query = {.at = place,
                                   .self = i,
-                                  .point = probe->found,
+                                  .point = workload->found,
                                   .distance2 = distance2};
         if (distance > 0)
             want_within(&query, distance);
@@ -40,24 +41,24 @@ int main(int argc, char **argv)
     static const char *const names[] = {"kd-tree", "cells"};
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
-    struct probe *probe = probe_of("uniform", n, 3);
+    struct query_workload *workload = workload_of("uniform", n, 3);
     double *distance2 = take(n, sizeof *distance2);
     const double distance = cbrt(WANTED / (n * 4.18879020478639));
-    const double each = MOST_BOXES;
+    const double each = MAX_BOXES;
     columns(&e, "name n steps tested within_steps within_tested "
                 "within_found");
     for (int k = 0; k < COUNT_OF(names); k++) {
         const struct structure *s = find_structure(names[k]);
-        void *built = s->build(&probe->points, 1);
+        void *built = s->build(&workload->points, 1);
         const struct neighbors nearest =
-            ask(s, built, probe, 0, distance2);
+            ask(s, built, workload, 0, distance2);
         const struct neighbors within =
-            ask(s, built, probe, distance, distance2);
+            ask(s, built, workload, distance, distance2);
         row("neighbors_%s\t%u\t%.4g\t%.4g\t%.4g\t%.4g\t%.4g", names[k],
             n, nearest.steps / each, nearest.tested / each,
             within.steps / each, within.tested / each,
             within.count / each);
         s->discard(built);
     }
-    probe_free(probe);
+    workload_free(workload);
 }

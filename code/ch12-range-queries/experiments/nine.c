@@ -15,10 +15,48 @@ static const double xs[N] = {5, 8, 1.5, 6, 3, 0, 4.5, 2.5, 7};
 static const double ys[N] = {3.5, 8, 3.8, 1, 2.5, 0, 7, 3, 4.5};
 static const struct range box = {{2, 2}, {6, 4}};
 
-static void print_report(const char *name, const struct report *report)
+static uint32_t found[N];
+
+static void print_report(const char *name, struct report report)
 {
-    row("%s\t%" PRIu64 "\t%" PRIu64 "\t%u", name, report->steps,
-        report->tested, report->count);
+    row("%s\t%" PRIu64 "\t%" PRIu64 "\t%u", name, report.steps,
+        report.tested, report.count);
+}
+
+static void print_projection(const struct point_set *points)
+{
+    const struct projection projection = projection_make(points);
+    struct report report = {found};
+    projection_query(&projection, &box, &report);
+    print_report("nine_projection", report);
+}
+
+static void print_kd_tree(const struct point_set *points)
+{
+    const struct kd_tree tree = kd_make(points, 3, 1);
+    struct report report = {found};
+    kd_query(&tree, &box, &report);
+    print_report("nine_kd_tree", report);
+}
+
+static void print_orthotree(const char *name,
+                            const struct point_set *points,
+                            bool compressed)
+{
+    const struct orthotree tree = ortho_make(points, 2, compressed);
+    struct report report = {found};
+    ortho_query(&tree, &box, &report);
+    print_report(name, report);
+}
+
+static void print_cells(const char *name,
+                        const struct point_set *points, bool in_order)
+{
+    const struct cell_array cells =
+        cell_array_make(points, 0.56, in_order);
+    struct report report = {found};
+    cell_array_query(&cells, &box, &report);
+    print_report(name, report);
 }
 
 int main(int argc, char **argv)
@@ -28,28 +66,10 @@ int main(int argc, char **argv)
     struct point_set points = point_set_allocate(N, 2);
     memcpy(points.x[0], xs, sizeof xs);
     memcpy(points.x[1], ys, sizeof ys);
-    const struct projection projection = projection_make(&points);
-    const struct kd_tree kd = kd_make(&points, 3, 1);
-    const struct orthotree plain = ortho_make(&points, 2, false);
-    const struct orthotree compressed = ortho_make(&points, 2, true);
-    const struct cell_array cells =
-        cell_array_make(&points, 0.56, false);
-    const struct cell_array halves =
-        cell_array_make(&points, 0.56, true);
-    uint32_t found[6][N];
-    struct report report[6];
-    for (int k = 0; k < COUNT_OF(report); k++)
-        report[k] = (struct report){found[k]};
-    projection_query(&projection, &box, &report[0]);
-    kd_query(&kd, &box, &report[1]);
-    ortho_query(&plain, &box, &report[2]);
-    ortho_query(&compressed, &box, &report[3]);
-    cell_array_query(&cells, &box, &report[4]);
-    cell_array_query(&halves, &box, &report[5]);
-    print_report("nine_projection", &report[0]);
-    print_report("nine_kd_tree", &report[1]);
-    print_report("nine_orthotree", &report[2]);
-    print_report("nine_compressed", &report[3]);
-    print_report("nine_cells", &report[4]);
-    print_report("nine_cells_halves", &report[5]);
+    print_projection(&points);
+    print_kd_tree(&points);
+    print_orthotree("nine_orthotree", &points, false);
+    print_orthotree("nine_compressed", &points, true);
+    print_cells("nine_cells", &points, false);
+    print_cells("nine_cells_halves", &points, true);
 }

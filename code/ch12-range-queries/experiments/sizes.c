@@ -4,7 +4,7 @@
 //
 //     sizes [POINTS [TRIALS]]
 #include "ch12-range-queries/cell_array.h"
-#include "ch12-range-queries/experiments/probe.h"
+#include "ch12-range-queries/experiments/query_workload.h"
 #include "ch12-range-queries/kd_tree.h"
 #include "ch12-range-queries/orthotree.h"
 #include <math.h>
@@ -30,11 +30,12 @@ static double predict(const char *name, double n, double share)
     if (strcmp(name, "projection") == 0)
         looked_at = n * share;
     else if (strncmp(name, "kd-tree", 7) == 0)
-        looked_at =
-            at_border(n, exp2(ceil(log2(n / KD_LEAF))), share, false);
-    else if (strncmp(name, "orthotree", 9) == 0)
-        looked_at = at_border(n, pow(8, ceil(log2(n / ORTHO_LEAF) / 3)),
+        looked_at = at_border(n, exp2(ceil(log2(n / KD_LEAF_SIZE))),
                               share, false);
+    else if (strncmp(name, "orthotree", 9) == 0)
+        looked_at =
+            at_border(n, pow(8, ceil(log2(n / ORTHO_LEAF_SIZE) / 3)),
+                      share, false);
     else if (strncmp(name, "cells", 5) == 0)
         looked_at = at_border(n, pow(slabs, 3), share,
                               strcmp(name, "cells-halves") == 0);
@@ -45,16 +46,17 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
-    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
-    struct probe *probe = probe_of("uniform", n, 3);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
+    struct query_workload *workload = workload_of("uniform", n, 3);
     columns(&e, "name structure share n found tested predicted "
                 "steps ns:3");
     for (int row = 0; row < structure_count; row++) {
         const struct structure *s = &structures[row];
-        void *built = s->build(&probe->points, 1);
+        void *built = s->build(&workload->points, 1);
         for (int k = 0; k < COUNT_OF(shares); k++) {
-            boxes_anywhere(probe, shares[k]);
-            const struct cost cost = ask_boxes(probe, s, built, trials);
+            boxes_anywhere(workload, shares[k]);
+            const struct cost cost =
+                ask_boxes(workload, s, built, trials);
             row_begin("%s_%g\t%s\t%g\t%u\t%.5g\t%.5g\t%.5g\t%.5g",
                       s->name, 100 * shares[k], s->name, shares[k], n,
                       cost.found, cost.tested,
@@ -64,5 +66,5 @@ int main(int argc, char **argv)
         }
         s->discard(built);
     }
-    probe_free(probe);
+    workload_free(workload);
 }

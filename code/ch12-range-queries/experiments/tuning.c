@@ -3,7 +3,7 @@
 //
 //     tuning [POINTS [TRIALS]]
 #include "ch12-range-queries/cell_array.h"
-#include "ch12-range-queries/experiments/probe.h"
+#include "ch12-range-queries/experiments/query_workload.h"
 #include "ch12-range-queries/kd_tree.h"
 #include <math.h>
 
@@ -24,19 +24,20 @@ static void *make(const char *name, const struct point_set *points,
     return made;
 }
 
-static void print_size(struct probe *probe, const char *name, int size,
-                       int trials)
+static void print_size(struct query_workload *workload,
+                       const char *name, int size, int trials)
 {
     const struct structure *s = find_structure(name);
-    const uint32_t n = probe->points.n;
+    const uint32_t n = workload->points.n;
     int64_t start = clock_ns();
-    void *built = make(name, &probe->points, size);
+    void *built = make(name, &workload->points, size);
     const double build_ns = clock_ns() - start;
     row_begin("%s_of_%d\t%s\t%d\t%u\t%.4g\t%.4g", name, size, name,
               size, n, build_ns / n, (double)s->bytes(built) / n);
     for (int k = 0; k < COUNT_OF(held); k++) {
-        boxes_anywhere(probe, pow(held[k] / n, 1.0 / probe->points.d));
-        const struct cost cost = ask_boxes(probe, s, built, trials);
+        boxes_anywhere(workload,
+                       pow(held[k] / n, 1.0 / workload->points.d));
+        const struct cost cost = ask_boxes(workload, s, built, trials);
         row_cells("\t%.5g", cost.tested);
         row_times(&cost.ns, 1);
     }
@@ -50,12 +51,12 @@ int main(int argc, char **argv)
                                         "cells-halves"};
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
-    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
-    struct probe *probe = probe_of("uniform", n, 3);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
+    struct query_workload *workload = workload_of("uniform", n, 3);
     columns(&e, "name structure size n build bytes small_tested "
                 "small:3 large_tested large:3");
     for (int k = 0; k < COUNT_OF(names); k++)
         for (int size = 2; size <= 128; size *= 2)
-            print_size(probe, names[k], size, trials);
-    probe_free(probe);
+            print_size(workload, names[k], size, trials);
+    workload_free(workload);
 }
