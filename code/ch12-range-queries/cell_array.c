@@ -69,7 +69,7 @@ static struct radix_record *by_last(const struct point_set *points)
     struct radix_record *room = allocate(n, sizeof *room);
     for (uint32_t i = 0; i < n; i++)
         record[i] = (struct radix_record){
-            key_of(points->x[points->d - 1][i]), i};
+            radix_key(points->x[points->d - 1][i]), i};
     radix_sort(record, n, 64, room);
     free(room);
     return record;

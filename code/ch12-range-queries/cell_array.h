@@ -49,5 +49,5 @@ static inline uint32_t cell_along(const struct cell_array *cells, int k,
 void cell_array_query(const struct cell_array *cells,
                       const struct range *range, struct report *report);
 void cell_array_neighbors(const struct cell_array *cells,
-                          struct neighbors *query);
+                          struct neighbor_query *query);
 //<

@@ -10,7 +10,7 @@
 //> Hold a search among the cells
 struct search {
     const struct cell_array *cells;
-    struct neighbors *query;
+    struct neighbor_query *query;
     int64_t home[MAX_DIMENSIONS]; // the cell of the query
     int64_t ring;                 // how far the block reaches
 };
@@ -110,7 +110,7 @@ static bool is_open(const struct search *search)
 // wanted, if points are even.
 static void choose_ring(struct search *search)
 {
-    const struct neighbors *query = search->query;
+    const struct neighbor_query *query = search->query;
     const int d = search->cells->sorted.points.d;
     if (!query->nearest) {
         while (is_open(search))
@@ -124,7 +124,7 @@ static void choose_ring(struct search *search)
 }
 
 void cell_array_neighbors(const struct cell_array *cells,
-                          struct neighbors *query)
+                          struct neighbor_query *query)
 {
     struct search search = {cells, query};
     for (int k = 0; k < cells->sorted.points.d; k++)

@@ -9,7 +9,7 @@
 //> Hold a search in the tree
 struct search {
     const struct kd_tree *tree;
-    struct neighbors *query;
+    struct neighbor_query *query;
     double way[MAX_DIMENSIONS]; // along each coordinate, to the node
 };
 
@@ -47,7 +47,8 @@ static void visit(struct search *search, uint32_t node)
     search->way[axis] = before;
 }
 
-void kd_neighbors(const struct kd_tree *tree, struct neighbors *query)
+void kd_neighbors(const struct kd_tree *tree,
+                  struct neighbor_query *query)
 {
     struct search search = {tree, query};
     for (int k = 0; k < tree->sorted.points.d; k++) {

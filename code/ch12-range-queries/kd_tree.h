@@ -41,7 +41,8 @@ void kd_rebuild(struct kd_tree *tree, const struct point_set *points);
 
 void kd_query(const struct kd_tree *tree, const struct range *range,
               struct report *report);
-void kd_neighbors(const struct kd_tree *tree, struct neighbors *query);
+void kd_neighbors(const struct kd_tree *tree,
+                  struct neighbor_query *query);
 
 //> Find the places of a leaf
 static inline struct span kd_leaf(const struct kd_tree *tree,

@@ -16,7 +16,7 @@ struct wanted {
 //<
 
 //> Hand over a list
-static void hand_over(const struct near_list *list,
+static void hand_over(const struct k_nearest_list *list,
                       const struct neighbor_lists *lists)
 {
     const uint64_t start = list_start(lists, list->self);
@@ -51,13 +51,13 @@ static void ask_for_point(const struct wanted *wanted, uint32_t s,
     query->x = sorted->points.x[s];
     query->y = sorted->points.y[s];
     query->has_block = false;
-    near_list_clear(query->list, i, wanted->reach2);
+    k_nearest_list_clear(query->list, i, wanted->reach2);
     plane_query_run(query);
     if (!lists) {
         wanted->count[i] = (uint32_t)query->list->count;
         return;
     }
-    near_list_settle(query->list);
+    keep_k_nearest(query->list);
     hand_over(query->list, lists);
 }
 //<
@@ -92,9 +92,9 @@ static void ask_for_all(const struct wanted *wanted,
     const uint32_t stretches = (n - 1) / STRETCH + 1;
 #pragma omp parallel num_threads(index->threads)
     {
-        struct near_list list = {0};
+        struct k_nearest_list list = {0};
         if (wanted->lists)
-            list = near_list_make(wanted->max_k);
+            list = k_nearest_list_make(wanted->max_k);
         struct plane_query query = {.index = index, .list = &list};
 #pragma omp for schedule(dynamic)
         for (uint32_t k = 0; k < stretches; k++) {
@@ -104,7 +104,7 @@ static void ask_for_all(const struct wanted *wanted,
         const struct counts mine = {.distances = query.compared,
                                     .cells = query.steps};
         counts_add(counts, &mine);
-        near_list_free(&list);
+        k_nearest_list_free(&list);
     }
 }
 //<

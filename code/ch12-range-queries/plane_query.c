@@ -59,14 +59,14 @@ INLINED void take_piece(const enum geometry geometry,
     else
         take_rows(geometry, piece, node->box, query);
     if (query->list->found && query->list->count > query->list->k)
-        near_list_settle(query->list);
+        keep_k_nearest(query->list);
 }
 //<
 
 //> Decide whether a box can have a neighbor
 // At the reach itself only if its lowest index is below that of the
 // k-th: so many places that are equally far are not all looked at.
-static bool can_have(const struct near_list *list, double bound,
+static bool can_have(const struct k_nearest_list *list, double bound,
                      uint32_t lowest)
 {
     if (bound != list->reach2 || !list->found)
@@ -213,7 +213,7 @@ INLINED void take_block(const enum geometry geometry,
         take_span(geometry, query, piece->begin + start[block->left],
                   piece->begin + start[block->right + 1]);
     }
-    near_list_settle(query->list);
+    keep_k_nearest(query->list);
 }
 //<
 

@@ -4,7 +4,7 @@
 // within reach, down the tree of boxes, row by row. Each cell is looked
 // at once at most.
 #pragma once
-#include "ch12-range-queries/near_list.h"
+#include "ch12-range-queries/k_nearest_list.h"
 #include "ch12-range-queries/plane_index.h"
 
 //> Hold a query of the plane
@@ -12,7 +12,7 @@ struct plane_query {
     const struct plane_index *index;
     const struct piece *piece; // that the query is in
     double x, y;
-    struct near_list *list;
+    struct k_nearest_list *list;
     struct cell_block { // of the piece, looked at already
         uint32_t left, right, bottom, top;
     } block;

@@ -6,16 +6,16 @@
 #include "ch11-crowds/piece_rows.h"
 #include "ch12-range-queries/plane_query.h"
 
-//> Let a span come in
-// Each is written where the next one belongs; only if it is wanted, the
-// next place is the next.
-INLINED size_t come_in(const struct space space,
-                       const struct plane_query *query, uint32_t begin,
-                       uint32_t end)
+//> Append a span of candidates
+// Each is written at the end of the list, wanted or not. The end moves
+// on only if it was wanted; if not, the next one is written over it.
+INLINED size_t append_candidates(const struct space space,
+                                 const struct plane_query *query,
+                                 uint32_t begin, uint32_t end)
 {
     const struct sorted *all = &query->index->pieces.sorted;
     const double *x = all->points.x, *y = all->points.y;
-    const struct near_list *list = query->list;
+    const struct k_nearest_list *list = query->list;
     struct found *to = list->found + list->count;
     for (uint32_t s = begin; s < end; s++) {
         const uint32_t index = all->cells.point[s];
@@ -49,7 +49,7 @@ INLINED void take_span(const enum geometry geometry,
                        struct plane_query *query, uint32_t begin,
                        uint32_t end)
 {
-    struct near_list *list = query->list;
+    struct k_nearest_list *list = query->list;
     struct space space = query->index->space;
     space.geometry = geometry;
     query->compared += end - begin;
@@ -58,10 +58,10 @@ INLINED void take_span(const enum geometry geometry,
         return;
     }
     while (begin < end) {
-        const uint32_t stop = begin + MIN(end - begin, STRIP);
-        if (list->count + STRIP > list->room)
-            near_list_settle(list);
-        list->count = come_in(space, query, begin, stop);
+        const uint32_t stop = begin + MIN(end - begin, MAX_APPENDED);
+        if (list->count + MAX_APPENDED > list->room)
+            keep_k_nearest(list);
+        list->count = append_candidates(space, query, begin, stop);
         begin = stop;
     }
 }

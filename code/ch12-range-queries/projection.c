@@ -11,7 +11,7 @@ static void sort_by(const double *x, uint32_t n, uint32_t *order)
     struct radix_record *record = allocate(n, sizeof *record);
     struct radix_record *room = allocate(n, sizeof *room);
     for (uint32_t i = 0; i < n; i++)
-        record[i] = (struct radix_record){key_of(x[i]), i};
+        record[i] = (struct radix_record){radix_key(x[i]), i};
     radix_sort(record, n, 64, room);
     for (uint32_t r = 0; r < n; r++)
         order[r] = record[r].point;

@@ -12,7 +12,7 @@ enum { DIGIT_BITS = 11, DIGITS = 1 << DIGIT_BITS };
 // A double is sign, exponent, fraction: as a whole number it grows with
 // the number, if the sign is turned over, and for a negative one all
 // bits are.
-uint64_t key_of(double number)
+uint64_t radix_key(double number)
 {
     uint64_t bits;
     number += 0.0; // -0 becomes 0

@@ -14,7 +14,7 @@ struct radix_record {
 
 // Bits whose order, as whole numbers, is that of the numbers; both
 // zeros give the same.
-uint64_t key_of(double number);
+uint64_t radix_key(double number);
 
 // Sorts n records by the lowest bits of their keys, so many of them;
 // equal ones stay in their order. The room is for n more.

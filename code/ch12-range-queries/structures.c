@@ -39,7 +39,8 @@ static void query_lanes(const void *built, const struct range *range,
     scan_lanes(built, range, report);
 }
 
-static void neighbors_scan(const void *built, struct neighbors *query)
+static void neighbors_scan(const void *built,
+                           struct neighbor_query *query)
 {
     scan_neighbors(built, query);
 }
@@ -109,7 +110,8 @@ static void query_kd(const void *built, const struct range *range,
     kd_query(built, range, report);
 }
 
-static void neighbors_kd(const void *built, struct neighbors *query)
+static void neighbors_kd(const void *built,
+                         struct neighbor_query *query)
 {
     kd_neighbors(built, query);
 }
@@ -191,7 +193,8 @@ static void query_cells(const void *built, const struct range *range,
     cell_array_query(built, range, report);
 }
 
-static void neighbors_cells(const void *built, struct neighbors *query)
+static void neighbors_cells(const void *built,
+                            struct neighbor_query *query)
 {
     cell_array_neighbors(built, query);
 }

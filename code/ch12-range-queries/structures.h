@@ -17,7 +17,7 @@ struct structure {
     void (*update)(void *built, const struct point_set *points);
     void (*query)(const void *built, const struct range *range,
                   struct report *report);
-    void (*neighbors)(const void *built, struct neighbors *query);
+    void (*neighbors)(const void *built, struct neighbor_query *query);
     // An order of the points in which neighbors follow each other.
     const struct sorted_points *(*walk_order)(const void *built);
     size_t (*bytes)(const void *built);

@@ -2,7 +2,9 @@
 // By name; and for all points, in an order in which what one query has
 // brought into the caches is what the next one needs.
 #include "ch12-range-queries/structures.h"
+#include "common/allocate.h"
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 
 //> Find a structure
@@ -30,7 +32,7 @@ void *structure_update(const struct structure *structure, void *built,
 
 //> Ask for one of all points
 static void ask(const struct structure *structure, const void *built,
-                uint32_t s, struct neighbors *query)
+                uint32_t s, struct neighbor_query *query)
 {
     const struct sorted_points *sorted = structure->walk_order(built);
     double at[MAX_DIMENSIONS];
@@ -50,12 +52,20 @@ void k_nearest_of_all(const struct structure *structure,
 {
     assert(structure->walk_order && "it finds neighbors");
     const struct sorted_points *sorted = structure->walk_order(built);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
-    for (uint32_t s = 0; s < sorted->points.n; s++) {
-        const size_t to = (size_t)sorted->index[s] * k;
-        struct neighbors query = {
-            .k = k, .point = nearest + to, .distance2 = nearest2 + to};
-        ask(structure, built, s, &query);
+#pragma omp parallel num_threads(threads)
+    {
+        struct neighbor_query query = {
+            .k = k, .found = allocate(k, sizeof *query.found)};
+#pragma omp for schedule(dynamic, 1024)
+        for (uint32_t s = 0; s < sorted->points.n; s++) {
+            const size_t to = (size_t)sorted->index[s] * k;
+            ask(structure, built, s, &query);
+            for (uint32_t j = 0; j < k; j++) {
+                nearest[to + j] = query.found[j].index;
+                nearest2[to + j] = query.found[j].distance2;
+            }
+        }
+        free(query.found);
     }
 }
 //<

@@ -52,7 +52,7 @@ void sort_order(const double *x, uint32_t *order, uint32_t n,
                 struct radix_record *room)
 {
     for (uint32_t r = 0; r < n; r++)
-        room[r] = (struct radix_record){key_of(x[r]), r};
+        room[r] = (struct radix_record){radix_key(x[r]), r};
     radix_sort(room, n, 64, room + n);
     for (uint32_t r = 0; r < n; r++)
         order[r] = room[r].point;

@@ -68,7 +68,7 @@ static void sort_ends(struct sweep_and_prune *kept,
     for (uint32_t r = 0; r < 2 * n; r++) {
         const uint32_t name = r < n ? 2 * r : 2 * (r - n) + 1;
         record[r] = (struct radix_record){
-            key_of(end_of_box(boxes, k, name)), name};
+            radix_key(end_of_box(boxes, k, name)), name};
     }
     radix_sort(record, 2 * n, 64, record + 2 * (size_t)n);
     for (uint32_t r = 0; r < 2 * n; r++) {

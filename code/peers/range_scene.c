@@ -56,6 +56,7 @@ struct range_scene range_scene_of(const char *kind, uint32_t n, int d)
     scene.right2 = take((size_t)n * K, sizeof(double));
     scene.found = take(n, sizeof(uint32_t));
     scene.distance2 = take(n, sizeof(double));
+    scene.neighbor = take(n, sizeof(struct found));
     choose_distance(&scene);
     draw_boxes(&scene);
     return scene;

@@ -20,6 +20,7 @@ struct range_scene {
     double distance;
     uint32_t *nearest, *found;
     double *nearest2, *right2, *distance2;
+    struct found *neighbor;    // room for all points
     uint64_t within, in_boxes; // right ones; 0: not known
 };
 

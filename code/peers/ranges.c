@@ -38,10 +38,8 @@ static uint64_t within_ours(const struct structure *s,
         double place[MAX_DIMENSIONS];
         for (int k = 0; k < sorted->points.d; k++)
             place[k] = sorted->points.x[k][i];
-        struct neighbors query = {.at = place,
-                                  .self = NO_INDEX,
-                                  .point = scene->found,
-                                  .distance2 = scene->distance2};
+        struct neighbor_query query = {
+            .at = place, .self = NO_INDEX, .found = scene->neighbor};
         want_within(&query, scene->distance);
         s->neighbors(built, &query);
         count += query.count;

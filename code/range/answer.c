@@ -1,4 +1,5 @@
-// Each thread has room for all points; what a query found is copied.
+// Threads share the queries. Each has room for all points, so that no
+// query asks for memory; what it found is copied, to its true length.
 #include "range/answer.h"
 #include "common/allocate.h"
 #include "common/min_max.h"
@@ -34,10 +35,10 @@ uint32_t self_of_query(const struct task *task, uint32_t q)
     return task->queries.cell ? NO_INDEX : q;
 }
 
-// Room for what one query finds.
+// Room for what one query finds: points in a box, or neighbors.
 struct room {
     uint32_t *point;
-    double *distance2;
+    struct found *found;
 };
 
 static int by_index(const void *one, const void *other)
@@ -65,10 +66,9 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
 {
     double place[MAX_DIMENSIONS];
     place_of_query(task, q, place);
-    struct neighbors query = {.at = place,
-                              .self = self_of_query(task, q),
-                              .point = room->point,
-                              .distance2 = room->distance2};
+    struct neighbor_query query = {.at = place,
+                                   .self = self_of_query(task, q),
+                                   .found = room->found};
     if (task->options->wish == WITHIN)
         want_within(&query, task->options->distance);
     else
@@ -87,18 +87,17 @@ static struct answer keep(const struct task *task,
     struct answer answer = {count, allocate(count, sizeof(uint32_t)),
                             boxes ? NULL
                                   : allocate(count, sizeof(double))};
-    memcpy(answer.point, room->point, count * sizeof *answer.point);
     if (boxes) {
+        memcpy(answer.point, room->point, count * sizeof *answer.point);
         qsort(answer.point, count, sizeof *answer.point, by_index);
         return answer;
     }
-    memcpy(answer.distance2, room->distance2,
-           count * sizeof *answer.distance2);
-    struct neighbors found = {.count = count,
-                              .point = answer.point,
-                              .distance2 = answer.distance2};
     if (task->options->wish == WITHIN)
-        sort_neighbors(&found);
+        sort_found(room->found, count);
+    for (uint32_t k = 0; k < count; k++) {
+        answer.point[k] = room->found[k].index;
+        answer.distance2[k] = room->found[k].distance2;
+    }
     return answer;
 }
 
@@ -112,8 +111,11 @@ void answer_batch(const struct task *task, uint32_t first,
 #pragma omp parallel num_threads(task->threads) \
     reduction(+ : found, steps, tested)
     {
-        struct room room = {allocate(n, sizeof(uint32_t)),
-                            boxes ? NULL : allocate(n, sizeof(double))};
+        struct room room = {0};
+        if (boxes)
+            room.point = allocate(n, sizeof *room.point);
+        else
+            room.found = allocate(n, sizeof *room.found);
         struct totals mine = {0};
 #pragma omp for schedule(dynamic, 16)
         for (uint32_t q = first; q < last; q++) {
@@ -128,7 +130,7 @@ void answer_batch(const struct task *task, uint32_t first,
         steps = mine.steps;
         tested = mine.tested;
         free(room.point);
-        free(room.distance2);
+        free(room.found);
     }
     totals->found += found;
     totals->steps += steps;

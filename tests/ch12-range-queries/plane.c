@@ -2,7 +2,7 @@
 // number of threads, against a plain sort of all distances; and that
 // crowds do not cost squares.
 #include "plane.h"
-#include "ch12-range-queries/near_list.h"
+#include "ch12-range-queries/k_nearest_list.h"
 #include "ch12-range-queries/plane_neighbors.h"
 #include "common/allocate.h"
 #include "common/generate.h"

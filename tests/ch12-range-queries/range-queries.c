@@ -260,13 +260,13 @@ static void sort_all(const struct point_set *p, const double *place,
     sort_plainly(order, p->n);
 }
 
-static bool same_neighbors(const struct neighbors *query,
+static bool same_neighbors(const struct neighbor_query *query,
                            const struct other *order, uint32_t count)
 {
     bool same = query->count == count;
     for (uint32_t k = 0; same && k < count; k++)
-        same = query->point[k] == order[k].index &&
-               query->distance2[k] == order[k].distance2;
+        same = query->found[k].index == order[k].index &&
+               query->found[k].distance2 == order[k].distance2;
     return same;
 }
 
@@ -278,13 +278,11 @@ static void check_place(const struct bench *bench,
     const struct point_set *p = &bench->points;
     const uint32_t others = p->n - (self != NO_INDEX);
     struct other *order = allocate(p->n, sizeof *order);
-    double *distance2 = allocate(p->n, sizeof *distance2);
+    struct found *found = allocate(p->n, sizeof *found);
     sort_all(p, place, self, order);
     for (uint32_t k = 1; k <= p->n; k = 3 * k + 2) {
-        struct neighbors query = {.at = place,
-                                  .self = self,
-                                  .point = bench->found,
-                                  .distance2 = distance2};
+        struct neighbor_query query = {
+            .at = place, .self = self, .found = found};
         want_nearest(&query, k);
         structure->neighbors(built, &query);
         CHECK(same_neighbors(&query, order, k < others ? k : others),
@@ -294,7 +292,7 @@ static void check_place(const struct bench *bench,
             others ? sqrt(order[(k - 1) % others].distance2) : 1;
         want_within(&query, distance);
         structure->neighbors(built, &query);
-        sort_neighbors(&query);
+        sort_found(query.found, query.count);
         uint32_t count = 0;
         while (count < others &&
                order[count].distance2 <= distance * distance)
@@ -304,7 +302,7 @@ static void check_place(const struct bench *bench,
               structure->name, p->n, p->d, count);
     }
     free(order);
-    free(distance2);
+    free(found);
 }
 
 // From some of the points and from places anywhere, near and far.
@@ -371,12 +369,12 @@ static void nearest_of_each(void)
             for (int k = 0; k < 3; k++)
                 place[k] = bench.points.x[k][i];
             sort_all(&bench.points, place, i, order);
-            const struct neighbors found = {
-                .count = K,
-                .point = nearest + (size_t)i * K,
-                .distance2 = nearest2 + (size_t)i * K};
-            CHECK(same_neighbors(&found, order, K), "%s, point %u",
-                  s->name, i);
+            bool same = true;
+            for (uint32_t k = 0; k < K; k++)
+                same &=
+                    nearest[(size_t)i * K + k] == order[k].index &&
+                    nearest2[(size_t)i * K + k] == order[k].distance2;
+            CHECK(same, "%s, point %u", s->name, i);
         }
         s->discard(built);
     }
@@ -421,8 +419,8 @@ static void keys(void)
     static const double x[] = {-INFINITY, -1e300, -1,    -1e-310, 0,
                                1e-310,    1,      1e300, INFINITY};
     for (int k = 1; k < 9; k++)
-        CHECK(key_of(x[k - 1]) < key_of(x[k]), "key of %g", x[k]);
-    CHECK(key_of(-0.0) == key_of(0.0), "two zeros");
+        CHECK(radix_key(x[k - 1]) < radix_key(x[k]), "key of %g", x[k]);
+    CHECK(radix_key(-0.0) == radix_key(0.0), "two zeros");
 
     enum { N = 3000 };
     static struct radix_record record[N], room[N];

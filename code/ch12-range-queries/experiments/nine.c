@@ -25,38 +25,41 @@ static void print_report(const char *name, struct report report)
 
 static void print_projection(const struct point_set *points)
 {
-    const struct projection projection = projection_make(points);
+    struct projection projection = projection_make(points);
     struct report report = {found};
     projection_query(&projection, &box, &report);
     print_report("nine_projection", report);
+    projection_free(&projection);
 }
 
 static void print_kd_tree(const struct point_set *points)
 {
-    const struct kd_tree tree = kd_make(points, 3, 1);
+    struct kd_tree tree = kd_make(points, 3, 1);
     struct report report = {found};
     kd_query(&tree, &box, &report);
     print_report("nine_kd_tree", report);
+    kd_free(&tree);
 }
 
 static void print_orthotree(const char *name,
                             const struct point_set *points,
                             bool compressed)
 {
-    const struct orthotree tree = ortho_make(points, 2, compressed);
+    struct orthotree tree = ortho_make(points, 2, compressed);
     struct report report = {found};
     ortho_query(&tree, &box, &report);
     print_report(name, report);
+    ortho_free(&tree);
 }
 
 static void print_cells(const char *name,
                         const struct point_set *points, bool in_order)
 {
-    const struct cell_array cells =
-        cell_array_make(points, 0.56, in_order);
+    struct cell_array cells = cell_array_make(points, 0.56, in_order);
     struct report report = {found};
     cell_array_query(&cells, &box, &report);
     print_report(name, report);
+    cell_array_free(&cells);
 }
 
 int main(int argc, char **argv)
@@ -72,4 +75,5 @@ int main(int argc, char **argv)
     print_orthotree("nine_compressed", &points, true);
     print_cells("nine_cells", &points, false);
     print_cells("nine_cells_halves", &points, true);
+    point_set_free(&points);
 }

@@ -34,12 +34,9 @@ void boxes_anywhere(struct query_workload *workload, double share)
 static double reach(const struct kd_tree *tree, const double *place,
                     uint32_t neighbors)
 {
-    uint32_t point[64];
-    double distance2[64];
-    struct neighbors query = {.at = place,
-                              .self = NO_INDEX,
-                              .point = point,
-                              .distance2 = distance2};
+    struct found found[64];
+    struct neighbor_query query = {
+        .at = place, .self = NO_INDEX, .found = found};
     want_nearest(&query, neighbors);
     kd_neighbors(tree, &query);
     return sqrt(query.reach2);

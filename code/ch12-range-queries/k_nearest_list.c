@@ -1,65 +1,46 @@
-//> Keep the list of the nearest
+//> Keep the list of the k nearest
 // A short list is put in order by insertion. A long one is sorted as a
-// whole, but only once as many have come in as it keeps.
-#include "ch12-range-queries/near_list.h"
+// whole, but only once as many were appended as it keeps: m candidates
+// take O(m log k) steps.
+#include "ch12-range-queries/k_nearest_list.h"
+#include "ch12-range-queries/point_set.h"
 #include "common/allocate.h"
 #include "common/min_max.h"
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { SHORT = 32 };
 
-struct near_list near_list_make(size_t k)
+struct k_nearest_list k_nearest_list_make(size_t k)
 {
-    const size_t room = 2 * k + 2 * STRIP;
-    return (struct near_list){.k = (uint32_t)k,
-                              .room = room,
-                              .found =
-                                  allocate(room, sizeof(struct found))};
+    const size_t room = 2 * k + 2 * MAX_APPENDED;
+    return (struct k_nearest_list){
+        .k = (uint32_t)k,
+        .room = room,
+        .found = allocate(room, sizeof(struct found))};
 }
 
-void near_list_free(struct near_list *list)
+void k_nearest_list_free(struct k_nearest_list *list)
 {
     free(list->found);
 }
 
-void near_list_clear(struct near_list *list, uint32_t self,
-                     double reach2)
+void k_nearest_list_clear(struct k_nearest_list *list, uint32_t self,
+                          double reach2)
 {
     list->self = self;
     list->reach2 = reach2;
     list->count = list->ordered = 0;
 }
 
-//> Say which of two is nearer
-static inline bool is_nearer(struct found a, struct found b)
+//> Insert what was appended
+static void insert_all(struct k_nearest_list *list)
 {
-    return a.distance2 < b.distance2 ||
-           (a.distance2 == b.distance2 && a.index < b.index);
-}
-//<
-
-//> Insert what has come in
-// What would be behind the k-th is dropped.
-static void insert_all(struct near_list *list)
-{
-    struct found *const found = list->found;
     size_t kept = list->ordered;
-    for (size_t next = kept; next < list->count; next++) {
-        const struct found one = found[next];
-        size_t place = kept;
-        if (kept < list->k)
-            kept++;
-        else if (is_nearer(one, found[place - 1]))
-            place--;
-        else
-            continue;
-        for (; place > 0 && is_nearer(one, found[place - 1]); place--)
-            found[place] = found[place - 1];
-        found[place] = one;
-    }
+    for (size_t next = kept; next < list->count; next++)
+        kept = insert_nearest(list->found, kept, list->k,
+                              list->found[next]);
     list->count = kept;
 }
 //<
@@ -69,7 +50,7 @@ static void insert_all(struct near_list *list)
 // one comparison for every pair, in lanes and without a branch. If two
 // are equally far, ranks add up to less than 0 + 1 + 2 + ..., and
 // nothing is done.
-enum { RANKED = 64, LANES = 8 };
+enum { RANKED = 64 };
 
 static size_t rank_of(const double *distance2, size_t padded, double d2)
 {
@@ -80,7 +61,7 @@ static size_t rank_of(const double *distance2, size_t padded, double d2)
     return rank;
 }
 
-static bool rank_all(struct near_list *list)
+static bool rank_all(struct k_nearest_list *list)
 {
     const size_t n = list->count;
     const size_t padded = (n + LANES - 1) / LANES * LANES;
@@ -102,22 +83,27 @@ static bool rank_all(struct near_list *list)
 }
 //<
 
-//> Sort what has come in
+//> Sort what was appended
 static int nearer_first(const void *one, const void *other)
 {
     const struct found *a = one, *b = other;
     return is_nearer(*b, *a) - is_nearer(*a, *b);
 }
 
-static void sort_all(struct near_list *list)
+void sort_found(struct found *found, size_t count)
 {
-    qsort(list->found, list->count, sizeof *list->found, nearer_first);
+    qsort(found, count, sizeof *found, nearer_first);
+}
+
+static void sort_all(struct k_nearest_list *list)
+{
+    sort_found(list->found, list->count);
     list->count = MIN(list->count, list->k);
 }
 //<
 
-//> Settle the list
-void near_list_settle(struct near_list *list)
+//> Keep the k nearest
+void keep_k_nearest(struct k_nearest_list *list)
 {
     if (list->count == list->ordered)
         return;
