@@ -1,5 +1,6 @@
 //> Sort points into cells of d dimensions
-// Count, scan, place, as in chapter 4. n + m steps for m cells.
+// Count, scan, place, as in chapter 4; to keep an order within cells,
+// the points are taken in that order. n + m steps for m cells.
 #include "ch12-range-queries/cell_array.h"
 #include "ch04-cell-sort/cells.h"
 #include "ch12-range-queries/radix_sort.h"

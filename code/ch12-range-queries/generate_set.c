@@ -1,5 +1,6 @@
 //> Generate points in d dimensions
-// Two coordinates at a time; an odd last one leaves the other out.
+// Two coordinates at a time, by the generators of the plane; an odd
+// last one leaves the other out.
 #include "ch12-range-queries/generate_set.h"
 #include "common/points.h"
 

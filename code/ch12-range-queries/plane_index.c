@@ -1,4 +1,6 @@
 //> Make the plane's index
+// A sample, then the counts of all cells, decide between one grid and
+// chapter 11's pieces. n log n steps at worst.
 #include "ch12-range-queries/plane_index.h"
 #include "ch05-collisions/partition.h"
 #include "ch11-crowds/by_sample.h"

@@ -1,4 +1,7 @@
 //> Find neighbors in the plane
+// A thread takes stretches of sorted points: what one query has brought
+// into the caches is what the next one needs. To fill lists costs, for
+// each point, the query and one place in memory that is seldom cached.
 #include "ch12-range-queries/plane_neighbors.h"
 #include "ch12-range-queries/plane_query.h"
 #include "common/min_max.h"

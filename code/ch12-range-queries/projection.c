@@ -1,5 +1,6 @@
 //> Project the points on every axis
-// 4 d n bytes; to build, d sorts.
+// References are sorted by radix, repaired by insertion, and searched
+// by halving. 4 d n bytes; to build, d sorts.
 #include "ch12-range-queries/projection.h"
 #include "ch12-range-queries/radix_sort.h"
 #include "common/allocate.h"

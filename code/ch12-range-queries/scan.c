@@ -1,5 +1,6 @@
 //> Scan the points
-// n points, d comparisons of two numbers each, or fewer.
+// n points, d comparisons of two numbers each, or fewer: a point, or
+// all points of a vector, may be outside by an early coordinate.
 #include "ch12-range-queries/scan.h"
 #include "common/allocate.h"
 #include "common/min_max.h"

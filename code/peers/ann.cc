@@ -12,19 +12,19 @@ struct built {
     std::vector<ANNpoint> points; // where each is
     ANNkd_tree index;
 
-    built(std::vector<ANNpoint> &&where, int leaf)
-        : points(std::move(where)),
-          index(points.data(), points.size(), 2, leaf, ANN_KD_SUGGEST)
+    built(std::vector<ANNpoint> &&where, int leaf_size)
+        : points(std::move(where)), index(points.data(), points.size(),
+                                          2, leaf_size, ANN_KD_SUGGEST)
     {
     }
 };
 
-void *build(const place *point, uint32_t n, int leaf, int)
+void *build(const place *point, uint32_t n, int leaf_size, int)
 {
     std::vector<ANNpoint> points(n);
     for (uint32_t i = 0; i < n; i++)
         points[i] = const_cast<ANNpoint>(point[i]);
-    return new built(std::move(points), leaf);
+    return new built(std::move(points), leaf_size);
 }
 
 void query(void *made, int, uint32_t *nearest, double *nearest2)

@@ -34,13 +34,13 @@ struct built {
     tree index;
 };
 
-void *build(const place *from, uint32_t n, int leaf, int threads)
+void *build(const place *from, uint32_t n, int leaf_size, int threads)
 {
     std::vector<point> points(n);
     for (uint32_t i = 0; i < n; i++)
         points[i] = {{from[i][0], from[i][1]}, i};
     built *made = new built{
-        from, n, {points.begin(), points.end(), splitter(leaf)}};
+        from, n, {points.begin(), points.end(), splitter(leaf_size)}};
     if (threads > 1)
         made->index.build<CGAL::Parallel_tag>();
     else

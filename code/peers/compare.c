@@ -27,10 +27,10 @@ static void compete_for(uint32_t n, const struct rules *rules,
         struct points points[ORDERS] = {unordered,
                                         points_in_strips(unordered)};
         for (int order = 0; order < ORDERS; order++) {
-            const struct occasion occasion = {kinds[kind],
+            const struct workload workload = {kinds[kind],
                                               orders[order], kind};
             struct instance instance = instance_of(points[order]);
-            compete_on(&occasion, rules, &instance, &contenders[order]);
+            compete_on(&workload, rules, &instance, &contenders[order]);
             instance_free(&instance);
         }
     }

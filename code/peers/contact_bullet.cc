@@ -1,7 +1,7 @@
 // Bullet's two broad phases: a dynamic tree of boxes, and sweep and
 // prune along three axes. Its numbers are floats, and boxes are rounded
 // outwards.
-#include "peers/contact_peer.h"
+#include "peers/broad_phase_peer.h"
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
@@ -87,7 +87,7 @@ void end(void *made)
 }
 } // namespace
 
-const struct contact_peer contact_dbvt = {
+const struct broad_phase_peer contact_dbvt = {
     "bullet-dbvt", begin_dbvt, find, end, 1, 0};
-const struct contact_peer contact_sap = {"bullet-sap", begin_sap, find,
-                                         end,          1,         1};
+const struct broad_phase_peer contact_sap = {
+    "bullet-sap", begin_sap, find, end, 1, 1};

@@ -1,6 +1,6 @@
 // CGAL's intersection of boxes, by streamed segment trees (Zomorodian
 // and Edelsbrunner 2002).
-#include "peers/contact_peer.h"
+#include "peers/broad_phase_peer.h"
 #include <CGAL/box_intersection_d.h>
 #include <utility>
 #include <vector>
@@ -51,5 +51,5 @@ void end(void *made)
 }
 } // namespace
 
-const struct contact_peer contact_cgal = {"cgal-boxes", begin, find,
-                                          end,          0,     0};
+const struct broad_phase_peer contact_cgal = {"cgal-boxes", begin, find,
+                                              end,          0,     0};

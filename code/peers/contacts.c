@@ -9,15 +9,15 @@
 #include "ch13-contact/step.h"
 #include "common/experiment.h"
 #include "common/min_max.h"
-#include "peers/contact_peer.h"
+#include "peers/broad_phase_peer.h"
 #include <inttypes.h>
 #include <math.h>
 
-enum { MAX_TRIALS = 20, EACH = 69, FEWER = 20000 };
+enum { MAX_TRIALS = 20, TRIANGLES_PER_BODY = 69, FEWER = 20000 };
 
 static const char *const ours[] = {"clusters", "kd-tree", "cells",
                                    "sweep-kept", "sweep-and-prune"};
-static const struct contact_peer *const peers[] = {
+static const struct broad_phase_peer *const peers[] = {
     &contact_cgal, &contact_dbvt, &contact_sap};
 
 // Boxes of each step, in both layouts.
@@ -64,7 +64,7 @@ static struct steps *steps_of(uint32_t n, bool whole, int trials)
 {
     struct steps *steps = take(1, sizeof *steps);
     struct scene scene = {0};
-    fill_cloud(&scene, whole ? n : n / EACH + 1, 1, 1);
+    fill_cloud(&scene, whole ? n : n / TRIANGLES_PER_BODY + 1, 1, 1);
     scene_complete(&scene);
     for (int step = 0; step <= trials; step++) {
         struct boxes triangles = {0};
@@ -137,8 +137,8 @@ static void run_ours(const char *name, const char *kind,
     pairs_free(&pairs);
 }
 
-static void run_peer(const struct contact_peer *peer, const char *kind,
-                     struct steps *steps, int trials)
+static void run_peer(const struct broad_phase_peer *peer,
+                     const char *kind, struct steps *steps, int trials)
 {
     double ns[MAX_TRIALS + 1];
     uint64_t found = 0;

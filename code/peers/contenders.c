@@ -1,4 +1,5 @@
-// See contenders.h.
+// Each chooses the size of its leaves on the first points that it gets,
+// and keeps a history, by which its next time is expected.
 #include "peers/contenders.h"
 #include "peers/results.h"
 #include <assert.h>
@@ -44,24 +45,25 @@ static void show_progress(const struct entry *entry)
                 entry->kind, entry->order, entry->program);
 }
 
-void compete_on(const struct occasion *occasion,
+void compete_on(const struct workload *workload,
                 const struct rules *rules, struct instance *instance,
                 struct contenders *contenders)
 {
     const uint32_t n = instance->points.n;
-    const int kind = occasion->number;
+    const int kind = workload->number;
     struct answers *answers = new_answers(n, NEAREST);
     assert(kind < MOST_KINDS && "room for the history");
     for (int k = 0; k < contenders->count; k++) {
         struct contender *c = &contenders->contender[k];
-        struct entry entry = {c->program.name, occasion->kind,
-                              occasion->order, n, 0};
+        struct entry entry = {c->program.name, workload->kind,
+                              workload->order, n, 0};
         show_progress(&entry);
         if (c->program.peer && kind == 0 && n <= LEAVES_UP_TO)
-            c->leaf = best_leaf(c->program.peer, instance, answers);
-        entry.leaf = c->leaf;
+            c->leaf_size =
+                best_leaf_size(c->program.peer, instance, answers);
+        entry.leaf_size = c->leaf_size;
         const struct result result =
-            compete(&c->program, c->leaf, rules, instance, answers,
+            compete(&c->program, c->leaf_size, rules, instance, answers,
                     &c->history[kind]);
         print_result(&entry, &result);
     }

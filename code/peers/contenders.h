@@ -9,7 +9,7 @@ enum { MOST_CONTENDERS = 12, MOST_KINDS = 24 };
 struct contender {
     struct program program;
     struct history history[MOST_KINDS];
-    int leaf; // chosen on the first kind
+    int leaf_size; // chosen on the first kind
 };
 
 struct contenders {
@@ -26,13 +26,13 @@ void print_head(const struct experiment *experiment);
 
 // The kind of points that an instance has, its number (the history has
 // a place for each), and the order in which they are.
-struct occasion {
+struct workload {
     const char *kind, *order;
     int number;
 };
 
 // All of them on this instance; a row of the table for each. Of the
 // first kind and up to a million points each library chooses its leaf.
-void compete_on(const struct occasion *occasion,
+void compete_on(const struct workload *workload,
                 const struct rules *rules, struct instance *instance,
                 struct contenders *contenders);

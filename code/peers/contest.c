@@ -49,13 +49,13 @@ static struct run run_ours(search_function *search,
     return (struct run){built - start, end - built};
 }
 
-static struct run run_peer(const struct peer *peer, int leaf,
+static struct run run_peer(const struct peer *peer, int leaf_size,
                            const struct instance *instance, int threads,
                            struct answers *answers)
 {
     int64_t start = clock_ns();
     void *built = peer->build((const place *)instance->place,
-                              instance->points.n, leaf, threads);
+                              instance->points.n, leaf_size, threads);
     int64_t ready = clock_ns();
     peer->query(built, threads, answers->nearest, answers->nearest2);
     int64_t end = clock_ns();
@@ -65,7 +65,7 @@ static struct run run_peer(const struct peer *peer, int leaf,
 
 // Where there are several trials, one more comes before them, untimed:
 // then no program pays for being the first.
-static struct times repeat(const struct program *program, int leaf,
+static struct times repeat(const struct program *program, int leaf_size,
                            const struct instance *instance, int threads,
                            int trials, struct answers *answers)
 {
@@ -74,7 +74,7 @@ static struct times repeat(const struct program *program, int leaf,
         struct run run =
             program->search
                 ? run_ours(program->search, instance, threads, answers)
-                : run_peer(program->peer, leaf, instance, threads,
+                : run_peer(program->peer, leaf_size, instance, threads,
                            answers);
         if (trial < 0)
             continue;
@@ -87,17 +87,18 @@ static struct times repeat(const struct program *program, int leaf,
                           summarize(time[2], trials)};
 }
 
-int best_leaf(const struct peer *peer, const struct instance *instance,
-              struct answers *answers)
+int best_leaf_size(const struct peer *peer,
+                   const struct instance *instance,
+                   struct answers *answers)
 {
-    int best = peer->leaf[0];
+    int best = peer->leaf_size[0];
     double least = INFINITY;
     for (int k = 0; k < LEAVES; k++) {
         struct run run =
-            run_peer(peer, peer->leaf[k], instance, 1, answers);
+            run_peer(peer, peer->leaf_size[k], instance, 1, answers);
         if (run.build + run.query < least) {
             least = run.build + run.query;
-            best = peer->leaf[k];
+            best = peer->leaf_size[k];
         }
     }
     return best;
@@ -139,7 +140,7 @@ static double expect(const struct history *history)
     return history->last * fmax(growth, 10);
 }
 
-struct result compete(const struct program *program, int leaf,
+struct result compete(const struct program *program, int leaf_size,
                       const struct rules *rules,
                       struct instance *instance,
                       struct answers *answers, struct history *history)
@@ -154,13 +155,13 @@ struct result compete(const struct program *program, int leaf,
         (int)fmin(rules->trials,
                   fmax(1, rules->patience / fmax(result.expected, 1)));
     result.one =
-        repeat(program, leaf, instance, 1, result.trials, answers);
+        repeat(program, leaf_size, instance, 1, result.trials, answers);
     history->last = result.one.total.min;
     result.threaded = result.trials > 1 &&
                       (program->search || program->peer->threaded);
     if (result.threaded)
-        result.all = repeat(program, leaf, instance, rules->threads,
-                            result.trials, answers);
+        result.all = repeat(program, leaf_size, instance,
+                            rules->threads, result.trials, answers);
     result.differ = compare(program->name, instance, answers);
     instance->known = true;
     return result;

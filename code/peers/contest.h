@@ -57,13 +57,14 @@ struct result {
 };
 
 // The size of a leaf that makes a peer fastest on this instance.
-int best_leaf(const struct peer *peer, const struct instance *instance,
-              struct answers *answers);
+int best_leaf_size(const struct peer *peer,
+                   const struct instance *instance,
+                   struct answers *answers);
 
 // Ends the program if an answer is wrong by more than rounding. The
 // program that comes first says what is right; the answers are
 // overwritten.
-struct result compete(const struct program *program, int leaf,
+struct result compete(const struct program *program, int leaf_size,
                       const struct rules *rules,
                       struct instance *instance,
                       struct answers *answers, struct history *history);

@@ -15,12 +15,12 @@ static const double limit = 25000;
 static const char *const ours[] = {"by-sample", "adaptive",
                                    "row-spans"};
 static void compete_for(struct points points,
-                        const struct occasion *occasion,
+                        const struct workload *workload,
                         const struct rules *rules,
                         struct contenders *contenders)
 {
     struct instance instance = instance_of(points);
-    compete_on(occasion, rules, &instance, contenders);
+    compete_on(workload, rules, &instance, contenders);
     instance_free(&instance);
 }
 
@@ -33,10 +33,10 @@ static void compete_for_file(const char *file, int number,
     char name[40];
     snprintf(name, sizeof name, "%s", slash ? slash + 1 : file);
     name[strcspn(name, ".")] = 0;
-    const struct occasion occasion = {name, "file", number};
+    const struct workload workload = {name, "file", number};
     compete_for(
         read_points(file, (struct columns){0, 0}, rules->threads),
-        &occasion, rules, contenders);
+        &workload, rules, contenders);
 }
 
 int main(int argc, char **argv)
@@ -55,9 +55,9 @@ int main(int argc, char **argv)
     for (uint64_t n = FEWEST; n <= largest; n *= 10)
         for (int kind = 0; kind < distribution_count; kind++) {
             const struct distribution *d = &distributions[kind];
-            const struct occasion occasion = {d->name, "unordered",
+            const struct workload workload = {d->name, "unordered",
                                               kind};
-            compete_for(generate(d, n, 1), &occasion, &rules,
+            compete_for(generate(d, n, 1), &workload, &rules,
                         &contenders);
         }
     for (int file = files; file < argc; file++)

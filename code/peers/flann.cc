@@ -20,10 +20,10 @@ struct built {
     std::vector<double> distance2;
 };
 
-void *build(const place *point, uint32_t n, int leaf, int)
+void *build(const place *point, uint32_t n, int leaf_size, int)
 {
     flann::Matrix<double> points(const_cast<double *>(point[0]), n, 2);
-    flann::KDTreeSingleIndexParams parameters(leaf);
+    flann::KDTreeSingleIndexParams parameters(leaf_size);
     built *made = new built{points, {points, parameters}, {}, {}};
     made->index.buildIndex();
     return made;

@@ -3,30 +3,13 @@
 // that has the functions below; ours keeps the best and refuses the
 // query itself, which costs less than the two nearest and is as
 // exact.
+#include "peers/nanoflann_cloud.h"
 #include "peers/peer.h"
 #include <limits>
 #include <nanoflann.hpp>
 
 namespace
 {
-struct cloud {
-    const place *point;
-    uint32_t n;
-
-    size_t kdtree_get_point_count() const
-    {
-        return n;
-    }
-    double kdtree_get_pt(size_t i, size_t axis) const
-    {
-        return point[i][axis];
-    }
-    template <class Box> bool kdtree_get_bbox(Box &) const
-    {
-        return false; // let it look for itself
-    }
-};
-
 //> Receive every point but one
 struct receiver {
     uint32_t self, nearest;
@@ -52,22 +35,22 @@ struct receiver {
 //<
 
 using tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, cloud>, cloud, 2>;
+    nanoflann::L2_Simple_Adaptor<double, cloud<2>>, cloud<2>, 2>;
 
 struct built {
-    cloud points;
+    cloud<2> points;
     tree index;
 
-    built(const place *point, uint32_t n, size_t leaf)
-        : points{point, n}, index(2, points, {leaf})
+    built(const place *point, uint32_t n, size_t leaf_size)
+        : points{&point[0][0], n}, index(2, points, {leaf_size})
     {
         index.buildIndex();
     }
 };
 
-void *build(const place *point, uint32_t n, int leaf, int)
+void *build(const place *point, uint32_t n, int leaf_size, int)
 {
-    return new built(point, n, leaf);
+    return new built(point, n, leaf_size);
 }
 
 //> Let nanoflann answer
@@ -77,7 +60,8 @@ void query(void *made, int threads, uint32_t *nearest, double *nearest2)
 #pragma omp parallel for num_threads(threads)
     for (uint32_t i = 0; i < here.points.n; i++) {
         receiver best = {i, i};
-        here.index.findNeighbors(best, here.points.point[i], {});
+        here.index.findNeighbors(best,
+                                 here.points.point + 2 * (size_t)i, {});
         nearest[i] = best.nearest;
         nearest2[i] = best.best2;
     }

@@ -12,11 +12,11 @@ enum { LEAVES = 4 };
 
 struct peer {
     const char *name, *version;
-    int leaf[LEAVES]; // sizes of a leaf to choose from
-    int threaded;     // whether queries may run side by side
+    int leaf_size[LEAVES]; // sizes of a leaf to choose from
+    int threaded;          // whether queries may run side by side
 
     // The structure over n points, which stay where they are.
-    void *(*build)(const place *point, uint32_t n, int leaf,
+    void *(*build)(const place *point, uint32_t n, int leaf_size,
                    int threads);
     // The nearest to each point, in the order of the points, and its
     // squared distance.

@@ -1,4 +1,5 @@
-// Boost.Geometry's R-tree, packed, in two and three dimensions.
+// Boost.Geometry's R-tree, packed, in two and three dimensions. One
+// type for each dimension, made from a template.
 #include "peers/range_asked.h"
 #define BOOST_ALLOW_DEPRECATED_HEADERS // its own use of them
 #include <boost/geometry.hpp>

@@ -1,4 +1,6 @@
-// nanoflann's k-d tree in two and three dimensions.
+// nanoflann's k-d tree in two and three dimensions: one type for each,
+// made from a template.
+#include "peers/nanoflann_cloud.h"
 #include "peers/range_asked.h"
 #include <nanoflann.hpp>
 #include <utility>
@@ -7,24 +9,6 @@
 namespace
 {
 enum { LEAF = 16 }; // of 10, 16 and 32 the fastest in all
-
-template <int D> struct cloud {
-    const double *point;
-    uint32_t n;
-
-    size_t kdtree_get_point_count() const
-    {
-        return n;
-    }
-    double kdtree_get_pt(size_t i, size_t axis) const
-    {
-        return point[D * i + axis];
-    }
-    template <class Box> bool kdtree_get_bbox(Box &) const
-    {
-        return false; // let it look for itself
-    }
-};
 
 template <int D> struct built : asked {
     using tree = nanoflann::KDTreeSingleIndexAdaptor<

@@ -1,4 +1,5 @@
-// See range_plane.h.
+// Within a distance takes two passes: one counts, one fills lists that
+// have just that length.
 #include "peers/range_plane.h"
 #include "ch12-range-queries/plane_neighbors.h"
 #include "common/allocate.h"
@@ -47,7 +48,7 @@ uint64_t answer_in_plane(struct range_scene *scene,
         plane_index_make(&question, &workspace);
     const int64_t built = clock_ns();
     const struct neighbor_lists lists = {
-        0, n, K, NULL, scene->nearest, scene->nearest2};
+        0, n, NEIGHBORS_WANTED, NULL, scene->nearest, scene->nearest2};
     fill_plane_lists(&index, INFINITY, &lists, NULL);
     const int64_t nearest = clock_ns();
     const uint64_t found =

@@ -3,7 +3,7 @@
 #pragma once
 #include "peers/range_scene.h"
 
-// Of all: to build, the K nearest of each point into the scene's
+// Of all: to build, the nearest ones of each point into the scene's
 // arrays, all within the distance, each in a list. Says how many these
 // are, each point itself included. Two dimensions.
 struct plane_times {

@@ -1,11 +1,12 @@
-// See range_scene.h.
+// The distance is chosen, and the right answers are known, by this
+// book's k-d tree; boxes lie around points.
 #include "peers/range_scene.h"
 #include "ch12-range-queries/generate_set.h"
 #include "common/experiment.h"
 #include <inttypes.h>
 #include <math.h>
 
-// The distance is that at which half of the points have K within it.
+// That at which half of the points have all the neighbors wanted.
 static int compare_doubles(const void *one, const void *other)
 {
     const double a = *(const double *)one, b = *(const double *)other;
@@ -17,10 +18,12 @@ static void choose_distance(struct range_scene *scene)
     const uint32_t n = scene->points.n;
     const struct structure *s = find_structure("kd-tree");
     void *built = s->build(&scene->points, 1);
-    k_nearest_of_all(s, built, K, 1, scene->nearest, scene->right2);
+    k_nearest_of_all(s, built, NEIGHBORS_WANTED, 1, scene->nearest,
+                     scene->right2);
     s->discard(built);
     for (uint32_t i = 0; i < n; i++)
-        scene->distance2[i] = scene->right2[(size_t)i * K + K - 1];
+        scene->distance2[i] =
+            scene->right2[(i + (size_t)1) * NEIGHBORS_WANTED - 1];
     qsort(scene->distance2, n, sizeof(double), compare_doubles);
     // A little more, since libraries differ on whether it belongs to
     // it.
@@ -32,7 +35,7 @@ static void draw_boxes(struct range_scene *scene)
 {
     const struct point_set *p = &scene->points;
     struct random random = {17};
-    for (uint32_t q = 0; q < BOXES; q++) {
+    for (uint32_t q = 0; q < BOX_COUNT; q++) {
         const uint32_t i = random_bits(&random) % p->n;
         double *row = scene->box + (size_t)q * 2 * p->d;
         for (int k = 0; k < p->d; k++) {
@@ -50,10 +53,11 @@ struct range_scene range_scene_of(const char *kind, uint32_t n, int d)
     for (int k = 0; k < d; k++)
         for (uint32_t i = 0; i < n; i++)
             scene.row[(size_t)i * d + k] = scene.points.x[k][i];
-    scene.box = take((size_t)BOXES * 2 * d, sizeof(double));
-    scene.nearest = take((size_t)n * K, sizeof(uint32_t));
-    scene.nearest2 = take((size_t)n * K, sizeof(double));
-    scene.right2 = take((size_t)n * K, sizeof(double));
+    scene.box = take((size_t)BOX_COUNT * 2 * d, sizeof(double));
+    scene.nearest =
+        take((size_t)n * NEIGHBORS_WANTED, sizeof(uint32_t));
+    scene.nearest2 = take((size_t)n * NEIGHBORS_WANTED, sizeof(double));
+    scene.right2 = take((size_t)n * NEIGHBORS_WANTED, sizeof(double));
     scene.found = take(n, sizeof(uint32_t));
     scene.distance2 = take(n, sizeof(double));
     scene.neighbor = take(n, sizeof(struct found));
@@ -65,14 +69,14 @@ struct range_scene range_scene_of(const char *kind, uint32_t n, int d)
 void compare_answers(const char *program, const struct range_run *run,
                      const struct range_scene *scene)
 {
-    const size_t count = (size_t)scene->points.n * K;
+    const size_t count = (size_t)scene->points.n * NEIGHBORS_WANTED;
     for (size_t i = 0; run->ns[NEAREST_ONES] > 0 && i < count; i++)
         if (!(fabs(scene->nearest2[i] - scene->right2[i]) <=
               1e-12 * scene->right2[i]))
             fail("%s: neighbor %zu of point %zu is at %.17g, and not "
                  "at %.17g",
-                 program, i % K, i / K, sqrt(scene->nearest2[i]),
-                 sqrt(scene->right2[i]));
+                 program, i % NEIGHBORS_WANTED, i / NEIGHBORS_WANTED,
+                 sqrt(scene->nearest2[i]), sqrt(scene->right2[i]));
     if (run->ns[ALL_WITHIN] > 0 &&
         fabs((double)run->within - scene->within) >
             1e-6 * scene->within)

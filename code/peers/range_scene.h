@@ -1,9 +1,10 @@
-// What the structures and the libraries of chapter 12 are asked.
+// What the structures and the libraries of chapter 12 are asked: the
+// nearest of each point, all within a distance, and points in boxes.
 #pragma once
 #include "ch12-range-queries/structures.h"
 #include <stdint.h>
 
-enum { K = 8, BOXES = 10000 };
+enum { NEIGHBORS_WANTED = 8, BOX_COUNT = 10000 };
 
 enum task { BUILD, NEAREST_ONES, ALL_WITHIN, IN_BOXES, TASKS };
 

@@ -1,4 +1,5 @@
-// See range_scipy.h.
+// The points go to Python in files, and so do the answers come back;
+// Python has the clock, so that files cost nothing.
 #include "peers/range_scipy.h"
 #include "common/fail.h"
 #include <errno.h>
@@ -62,7 +63,8 @@ static bool ask_python(const struct exchange *e,
 {
     char command[200];
     snprintf(command, sizeof command, SCRIPT " %s %d %d %.17g",
-             e->folder, scene->points.d, K, scene->distance);
+             e->folder, scene->points.d, NEIGHBORS_WANTED,
+             scene->distance);
     FILE *python = popen(command, "r");
     const int numbers =
         python ? fscanf(python, "%lf %lf %lf %" SCNu64, &run->ns[BUILD],
@@ -80,7 +82,7 @@ struct range_run run_scipy(struct range_scene *scene)
     const bool answered =
         put(e.points, scene->row, (size_t)n * scene->points.d) &&
         ask_python(&e, scene, &run) &&
-        get(e.nearest2, scene->nearest2, (size_t)n * K);
+        get(e.nearest2, scene->nearest2, (size_t)n * NEIGHBORS_WANTED);
     exchange_close(&e);
     if (!answered)
         fail("SciPy has not answered about %u points", n);

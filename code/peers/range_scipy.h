@@ -9,7 +9,7 @@
 // Whether there is such a Python with SciPy; if not, says so on stderr.
 bool scipy_is_there(void);
 
-// The K nearest of all points, their squared distances into the scene's
-// array, and how many are within the distance, which are only counted.
-// Boxes are not asked. Fails if Python does.
+// The nearest ones of all points, their squared distances into the
+// scene's array, and how many are within the distance, which are only
+// counted. Boxes are not asked. Fails if Python does.
 struct range_run run_scipy(struct range_scene *scene);

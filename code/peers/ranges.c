@@ -52,7 +52,7 @@ static uint64_t boxes_ours(const struct structure *s, const void *built,
 {
     const int d = scene->points.d;
     uint64_t count = 0;
-    for (uint32_t q = 0; q < BOXES; q++) {
+    for (uint32_t q = 0; q < BOX_COUNT; q++) {
         const struct range range =
             box_of_row(scene->box + (size_t)q * 2 * d, d);
         struct report report = {scene->found};
@@ -72,7 +72,7 @@ static struct range_run run_ours(const struct structure *s,
     run.ns[BUILD] = clock_ns() - start;
     if (s->neighbors) {
         start = clock_ns();
-        k_nearest_of_all(s, built, K, 1, scene->nearest,
+        k_nearest_of_all(s, built, NEIGHBORS_WANTED, 1, scene->nearest,
                          scene->nearest2);
         run.ns[NEAREST_ONES] = (clock_ns() - start) / n;
         start = clock_ns();
@@ -81,7 +81,7 @@ static struct range_run run_ours(const struct structure *s,
     }
     start = clock_ns();
     run.in_boxes = boxes_ours(s, built, scene);
-    run.ns[IN_BOXES] = (clock_ns() - start) / (double)BOXES;
+    run.ns[IN_BOXES] = (clock_ns() - start) / (double)BOX_COUNT;
     s->discard(built);
     return run;
 }
@@ -96,15 +96,16 @@ static struct range_run run_peer(const struct range_peer *peer,
         peer->build(scene->row, scene->points.n, scene->points.d);
     run.ns[BUILD] = clock_ns() - start;
     start = clock_ns();
-    peer->nearest(built, K, scene->nearest, scene->nearest2);
+    peer->nearest(built, NEIGHBORS_WANTED, scene->nearest,
+                  scene->nearest2);
     run.ns[NEAREST_ONES] = (clock_ns() - start) / n;
     start = clock_ns();
     run.within = peer->within(built, scene->distance);
     run.ns[ALL_WITHIN] = (clock_ns() - start) / n;
     if (peer->boxes) {
         start = clock_ns();
-        run.in_boxes = peer->boxes(built, scene->box, BOXES);
-        run.ns[IN_BOXES] = (clock_ns() - start) / (double)BOXES;
+        run.in_boxes = peer->boxes(built, scene->box, BOX_COUNT);
+        run.ns[IN_BOXES] = (clock_ns() - start) / (double)BOX_COUNT;
     }
     peer->discard(built);
     return run;

@@ -23,7 +23,7 @@ void print_result(const struct entry *entry,
     const uint32_t n = entry->n;
     row_begin("%s_%s_%u_%s\t%s\t%s\t%u\t%s\t%d\t%d", entry->program,
               entry->kind, n, entry->order, entry->program, entry->kind,
-              n, entry->order, entry->leaf, result->trials);
+              n, entry->order, entry->leaf_size, result->trials);
     print_times(&result->one, run, n);
     print_times(&result->all, run && result->threaded, n);
     row_cells("\t%.4g\t%u", run ? NAN : result->expected / n,

@@ -11,7 +11,7 @@ extern const char result_columns[]; // as columns() wants them
 struct entry {
     const char *program, *kind, *order;
     uint32_t n;
-    int leaf;
+    int leaf_size;
 };
 
 void print_result(const struct entry *entry,

@@ -12,16 +12,17 @@ void place_of_query(const struct task *task, uint32_t q,
 {
     const struct queries *queries = &task->queries;
     for (int k = 0; k < task->points.d; k++)
-        place[k] = queries->cell
-                       ? queries->cell[(size_t)q * queries->columns + k]
-                       : task->points.x[k][q];
+        place[k] =
+            queries->value
+                ? queries->value[(size_t)q * queries->columns + k]
+                : task->points.x[k][q];
 }
 
 struct range range_of_query(const struct task *task, uint32_t q)
 {
     const int d = task->points.d;
     const double *row =
-        task->queries.cell + (size_t)q * task->queries.columns;
+        task->queries.value + (size_t)q * task->queries.columns;
     struct range range = {0};
     for (int k = 0; k < d; k++) {
         range.low[k] = row[k];
@@ -32,7 +33,7 @@ struct range range_of_query(const struct task *task, uint32_t q)
 
 uint32_t self_of_query(const struct task *task, uint32_t q)
 {
-    return task->queries.cell ? NO_INDEX : q;
+    return task->queries.value ? NO_INDEX : q;
 }
 
 // Room for what one query finds: points in a box, or neighbors.

@@ -1,4 +1,5 @@
-// From rows of numbers to points, an array for each coordinate.
+// Rows of numbers become points, an array for each coordinate. Queries
+// stay rows, since each of them is read as a whole.
 #include "range/input.h"
 #include "ch12-range-queries/generate_set.h"
 #include "common/allocate.h"
@@ -19,8 +20,8 @@ struct point_set get_point_set(const struct options *options)
         for (int k = 0; k < points.d; k++)
             for (uint32_t i = 0; i < points.n; i++)
                 points.x[k][i] =
-                    rows.cell[(size_t)i * rows.columns + k];
-        free(rows.cell);
+                    rows.value[(size_t)i * rows.columns + k];
+        free(rows.value);
     } else {
         points = generate_set(options->distribution, options->n,
                               d ? d : USUAL_DIMENSIONS, options->seed);
@@ -39,12 +40,12 @@ static struct queries draw_queries(const struct options *options,
                               boxes ? 2 * d : d};
     const struct range all = range_of(points, 0, points->n);
     struct random random = {options->seed + 0x5eed};
-    queries.cell = allocate((size_t)queries.count * queries.columns,
-                            sizeof *queries.cell);
+    queries.value = allocate((size_t)queries.count * queries.columns,
+                             sizeof *queries.value);
     for (uint32_t q = 0; q < queries.count; q++) {
         const struct range range =
             random_range(&all, d, boxes ? options->share : 0, &random);
-        double *row = queries.cell + (size_t)q * queries.columns;
+        double *row = queries.value + (size_t)q * queries.columns;
         for (int k = 0; k < d; k++) {
             row[k] = range.low[k];
             if (boxes)
@@ -62,7 +63,7 @@ struct queries get_queries(const struct options *options,
     if (options->queries) {
         const struct rows rows =
             read_rows(options->queries, columns, columns);
-        return (struct queries){rows.count, columns, rows.cell};
+        return (struct queries){rows.count, columns, rows.value};
     }
     if (boxes || options->random)
         return draw_queries(options, points);

@@ -140,7 +140,7 @@ static int range(const struct options *options)
         write_close();
     else
         write_abandon(); // wrong answers are not worth a file
-    free(task.queries.cell);
+    free(task.queries.value);
     point_set_free(&task.points);
     return right ? 0 : 1;
 }

@@ -1,4 +1,5 @@
-// One line after the other; room for the numbers doubles.
+// One line after the other; room for the numbers doubles when it is
+// full, so that a number is copied twice at most, on average.
 #include "range/rows.h"
 #include "common/fail.h"
 #include "common/fields.h"
@@ -16,17 +17,17 @@ struct reader {
     char expected[64]; // in a line
 };
 
-static void expect_columns(struct reader *reader, int wanted, int most)
+static void expect_columns(struct reader *reader, int wanted, int max)
 {
     const int found =
         count_fields(reader->lines.line, reader->separator);
     const int columns = wanted ? wanted : found;
     snprintf(reader->expected, sizeof reader->expected, "%d number%s",
              columns, columns > 1 ? "s" : "");
-    if (!wanted && found > most)
+    if (!wanted && found > max)
         snprintf(reader->expected, sizeof reader->expected,
-                 "1 to %d numbers", most);
-    if (found != columns || found > most)
+                 "1 to %d numbers", max);
+    if (found != columns || found > max)
         reject(&reader->lines, reader->expected);
     reader->rows.columns = columns;
 }
@@ -51,12 +52,12 @@ static double *next_row(struct reader *reader)
         reader->room = 2 * reader->room + 4096;
         double *more = allocate(reader->room, sizeof *more);
         if (used)
-            memcpy(more, rows->cell, used * sizeof *more);
-        free(rows->cell);
-        rows->cell = more;
+            memcpy(more, rows->value, used * sizeof *more);
+        free(rows->value);
+        rows->value = more;
     }
     rows->count++;
-    return rows->cell + used;
+    return rows->value + used;
 }
 
 static void take_row(struct reader *reader)
@@ -65,17 +66,17 @@ static void take_row(struct reader *reader)
     const int columns = reader->rows.columns;
     if (count_fields(field, reader->separator) != columns)
         reject(&reader->lines, reader->expected);
-    double *cell = next_row(reader);
+    double *value = next_row(reader);
     for (int k = 0; k < columns; k++) {
-        if (!read_number(field, reader->separator, &cell[k]))
+        if (!read_number(field, reader->separator, &value[k]))
             reject(&reader->lines, reader->expected);
-        if (!isfinite(cell[k]))
+        if (!isfinite(value[k]))
             reject(&reader->lines, "finite numbers");
         field = next_field(field, reader->separator);
     }
 }
 
-struct rows read_rows(const char *name, int wanted, int most)
+struct rows read_rows(const char *name, int wanted, int max)
 {
     struct stream stream = stream_open(name);
     stream_reserve(&stream, 2 * (size_t)LONGEST_LINE);
@@ -87,7 +88,7 @@ struct rows read_rows(const char *name, int wanted, int most)
         reader.lines.tabs = reader.separator == '\t';
         if (!reader.lines.tabs)
             blank_tabs(&reader.lines);
-        expect_columns(&reader, wanted, most);
+        expect_columns(&reader, wanted, max);
         if (is_header(&reader))
             more = next_line(&reader.lines);
     }

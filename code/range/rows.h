@@ -8,12 +8,12 @@
 struct rows {
     uint32_t count;
     int columns;
-    double *cell; // cell[row * columns + column]
+    double *value; // value[row * columns + column]
 };
 
 // The rows of the file of this name, or of standard input for "-": at
-// least one, all numbers finite. The first row has at most most
+// least one, all numbers finite. The first row has at most max
 // numbers, or just as many as are wanted, if that is not 0. Released
-// with free(rows.cell). Fails with the name of the file, the line, and
+// with free(rows.value). Fails with the name of the file, the line, and
 // what was found there.
-struct rows read_rows(const char *name, int wanted, int most);
+struct rows read_rows(const char *name, int wanted, int max);

@@ -1,4 +1,5 @@
-// The octagon and the hull of chapter 10, and the pieces of chapter 11.
+// The octagon and the hull of chapter 10, and the pieces of chapter 11,
+// for a page to draw: a call makes them, the others say where they are.
 #include "ch10-furthest/hull.h"
 #include "ch10-furthest/octagon.h"
 #include "ch11-crowds/pieces.h"

@@ -1,4 +1,5 @@
-// A page's points, and the answers of any algorithm of the table.
+// A page's points, and the answers of any algorithm of the table. The
+// page writes and reads the arrays where they are, in memory.
 #include "web/page.h"
 #include "algorithms.h"
 #include "common/generate.h"

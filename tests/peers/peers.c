@@ -19,12 +19,12 @@ struct pairs {
 
 static int leaves_seen, queries, most_threads;
 
-static void *pairs_build(const place *point, uint32_t n, int leaf,
+static void *pairs_build(const place *point, uint32_t n, int leaf_size,
                          int threads)
 {
     struct pairs *pairs = allocate(1, sizeof *pairs);
     *pairs = (struct pairs){point, n};
-    leaves_seen |= leaf;
+    leaves_seen |= leaf_size;
     most_threads = threads > most_threads ? threads : most_threads;
     return pairs;
 }
@@ -121,10 +121,11 @@ static void every_leaf(void)
     struct instance instance = some_instance("uniform", 50);
     struct answers answers = answers_for(50, NEAREST);
     leaves_seen = 0;
-    int leaf = best_leaf(&pairs_peer, &instance, &answers);
+    int leaf_size = best_leaf_size(&pairs_peer, &instance, &answers);
     CHECK_INT(1 + 2 + 4 + 8, leaves_seen, "sum of the sizes tried");
-    CHECK(leaf == 1 || leaf == 2 || leaf == 4 || leaf == 8,
-          "a leaf of %d", leaf);
+    CHECK(leaf_size == 1 || leaf_size == 2 || leaf_size == 4 ||
+              leaf_size == 8,
+          "a leaf of %d", leaf_size);
     answers_free(&answers);
     instance_free(&instance);
 }

@@ -49,7 +49,7 @@ static void compare_sham(void *context)
 void wrong_ranges_are_refused(void)
 {
     struct range_scene scene = known_scene("uniform", 2);
-    const size_t bytes = sizeof(double) * N * K;
+    const size_t bytes = sizeof(double) * N * NEIGHBORS_WANTED;
     memcpy(scene.nearest2, scene.right2, bytes);
     struct sham right = {{{1, 1, 1, 1}, scene.within, scene.in_boxes},
                          &scene};
@@ -63,10 +63,10 @@ void wrong_ranges_are_refused(void)
     wrong.run.in_boxes--;
     CHECK_FAILS("sham: 1233 points in boxes, and not 1234",
                 compare_sham, &wrong, "one less");
-    scene.nearest2[7 * K + 3] *= 1 + 1e-11;
+    scene.nearest2[7 * NEIGHBORS_WANTED + 3] *= 1 + 1e-11;
     CHECK_FAILS("sham: neighbor 3 of point 7 is at", compare_sham,
                 &right, "too far");
-    scene.nearest2[7 * K + 3] = NAN;
+    scene.nearest2[7 * NEIGHBORS_WANTED + 3] = NAN;
     CHECK_FAILS("sham: neighbor 3 of point 7 is at nan", compare_sham,
                 &right, "no number");
     scene_free(&scene);

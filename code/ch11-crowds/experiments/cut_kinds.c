@@ -1,4 +1,5 @@
-// Everything that a kind needs is given up before the next one is cut.
+// Points of every kind are generated and cut into pieces, one kind at a
+// time: what it needs is given up before the next one is cut.
 #include "ch11-crowds/experiments/cut_kinds.h"
 #include "common/experiment.h"
 #include "common/generate.h"

@@ -4,7 +4,7 @@
 #pragma once
 #include <stdint.h>
 
-struct contact_peer {
+struct broad_phase_peer {
     const char *name;
     // What it keeps from step to step, of n boxes.
     void *(*begin)(const double *box, uint32_t n);
@@ -18,7 +18,7 @@ struct contact_peer {
 #ifdef __cplusplus
 extern "C" {
 #endif
-extern const struct contact_peer contact_cgal, contact_dbvt,
+extern const struct broad_phase_peer contact_cgal, contact_dbvt,
     contact_sap;
 #ifdef __cplusplus
 }
