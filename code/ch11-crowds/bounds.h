@@ -52,4 +52,14 @@ INLINED double box_bound(const enum geometry geometry,
                        y));
 }
 //<
+
+//> Find how far a box reaches
+// The squared distance to its furthest corner, without wraparound.
+static inline double box_far2(const struct box *box, double x, double y)
+{
+    return distance2(
+        max_separation(STANDARD, 0, box->left, box->right, x),
+        max_separation(STANDARD, 0, box->bottom, box->top, y));
+}
+//<
 //<

@@ -4,8 +4,8 @@
 // in practice; no bound is proved, so the steps are counted.
 #include "ch11-crowds/tree_query.h"
 #include "ch09-row-spans/span_kernels.h"
+#include "ch11-crowds/node_stack.h"
 #include "ch11-crowds/piece_rows.h"
-#include <assert.h>
 
 //> Compare with a stretch of points
 // Not with one that is longer than the steps that are left: with it the
@@ -74,13 +74,8 @@ INLINED void search_place(const enum geometry geometry,
 // Its squares vanish: then the lowest index will do.
 static bool take_vanishing(const struct node *node, struct query *query)
 {
-    const struct box *box = &node->box;
-    if (query->best2 > 0 || node->lowest == query->self)
-        return false;
-    const double far2 = distance2(
-        max_separation(STANDARD, 0, box->left, box->right, query->x),
-        max_separation(STANDARD, 0, box->bottom, box->top, query->y));
-    if (far2 > 0)
+    if (query->best2 > 0 || node->lowest == query->self ||
+        box_far2(&node->box, query->x, query->y) > 0)
         return false;
     query_keep(query, node->lowest, 0);
     return true;
@@ -88,23 +83,16 @@ static bool take_vanishing(const struct node *node, struct query *query)
 //<
 
 //> Search down the tree of boxes
-//> Hold a box that waits
-struct waiting {
-    double bound;
-    uint32_t node;
-};
-//<
-
 INLINED bool query_tree(const enum geometry geometry,
                         const bool furthest, struct tree_query *query)
 {
     const struct pieces *pieces = query->pieces;
     struct query *q = &query->query;
-    struct waiting stack[DEEPEST + 1];
-    int height = 1;
-    stack[0] = (struct waiting){-INFINITY, 0};
-    while (height > 0 && query->steps <= query->max_steps) {
-        const struct waiting next = stack[--height];
+    struct node_stack stack;
+    stack.height = 1;
+    stack.waiting[0] = (struct waiting){-INFINITY, 0};
+    while (stack.height > 0 && query->steps <= query->max_steps) {
+        const struct waiting next = stack.waiting[--stack.height];
         const struct node *node = &pieces->node[next.node];
         if (!can_be_better(q, next.bound, node->lowest))
             continue;
@@ -120,18 +108,13 @@ INLINED bool query_tree(const enum geometry geometry,
                             query);
             continue;
         }
-        //> Put both children on the stack, the better one last
-        struct waiting a = {0, node->first_child},
-                       b = {0, node->second_child};
+        struct waiting a = {0, node->first_child};
+        struct waiting b = {0, node->second_child};
         a.bound = box_bound(geometry, furthest, query->all->space,
                             &pieces->node[a.node].box, q->x, q->y);
         b.bound = box_bound(geometry, furthest, query->all->space,
                             &pieces->node[b.node].box, q->x, q->y);
-        const bool swap = a.bound < b.bound;
-        assert(height < DEEPEST && "the depth is bounded");
-        stack[height++] = swap ? b : a;
-        stack[height++] = swap ? a : b;
-        //<
+        push_children(&stack, a, b);
     }
     return query->steps <= query->max_steps;
 }

@@ -8,8 +8,6 @@
 #include <stdlib.h>
 
 //> Make one piece of a grid
-enum { PER_CELL = 2 };
-
 static struct pieces one_piece(const struct sorted *sorted,
                                struct workspace *workspace)
 {
@@ -95,13 +93,12 @@ static bool take_one_grid(const struct question *question,
                           struct plane_index *index,
                           struct workspace *workspace)
 {
-    const struct partition partition =
-        partition_make(question, PER_CELL, NO_RESTORE, workspace);
+    const struct partition partition = partition_make(
+        question, POINTS_PER_PLANE_CELL, NO_RESTORE, workspace);
     const struct sorted *sorted = &partition.sorted;
-    if (!cells_are_even(sorted, PER_CELL, MAX_DENSITY))
+    if (!cells_are_even(sorted, POINTS_PER_PLANE_CELL, MAX_DENSITY))
         return false;
     index->is_even = true;
-    index->per_cell = PER_CELL;
     index->pieces = one_piece(sorted, workspace);
     index->count = 1;
     index->piece = workspace_take(workspace, 1, sizeof *index->piece);
@@ -124,7 +121,6 @@ struct plane_index plane_index_make(const struct question *question,
         take_one_grid(&known, &index, workspace))
         return index;
     workspace_release(workspace, mark);
-    index.per_cell = PER_CELL;
     index.pieces = pieces_make(question, workspace);
     list_pieces(question, &index, workspace);
     return index;

@@ -7,6 +7,9 @@
 #include "ch11-crowds/pieces.h"
 #include <stdbool.h>
 
+// Points in a cell of the one grid, on average.
+enum { POINTS_PER_PLANE_CELL = 2 };
+
 //> Hold the plane's index
 struct plane_index {
     struct space space;
@@ -14,7 +17,6 @@ struct plane_index {
     bool is_even;           // one grid
     struct pieces pieces;   // of one grid: one
     uint32_t count, *piece; // the pieces in the order of their points
-    double per_cell;        // points, on average
 };
 //<
 

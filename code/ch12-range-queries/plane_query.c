@@ -2,8 +2,8 @@
 // First a block, then down the tree of boxes, as chapter 11 does. What
 // is as far as the last is looked at, since its index may be lower.
 #include "ch12-range-queries/plane_query.h"
+#include "ch11-crowds/node_stack.h"
 #include "ch12-range-queries/plane_rows.h"
-#include <assert.h>
 
 //> Take what is in one place
 // Where all are equally far, and only the k nearest are wanted, those
@@ -14,12 +14,8 @@ INLINED void take_place(const enum geometry geometry,
                         const struct node *node,
                         struct plane_query *query)
 {
-    const struct box *box = &node->box;
-    const double x = query->x, y = query->y;
-    const double far2 = distance2(
-        max_separation(STANDARD, 0, box->left, box->right, x),
-        max_separation(STANDARD, 0, box->bottom, box->top, y));
-    const bool alike = box_is_place(box) || far2 == 0;
+    const double far2 = box_far2(&node->box, query->x, query->y);
+    const bool alike = box_is_place(&node->box) || far2 == 0;
     uint32_t n = piece->sorted.points.n;
     if (alike && query->list->found)
         n = MIN(n - 1, query->list->k) + 1;
@@ -33,11 +29,8 @@ static bool count_whole(const struct piece *piece,
                         const struct node *node,
                         struct plane_query *query)
 {
-    const struct box *box = &node->box;
-    const double far2 = distance2(
-        max_separation(STANDARD, 0, box->left, box->right, query->x),
-        max_separation(STANDARD, 0, box->bottom, box->top, query->y));
-    if (query->list->found || far2 > query->list->reach2)
+    if (query->list->found ||
+        box_far2(&node->box, query->x, query->y) > query->list->reach2)
         return false;
     query->list->count +=
         piece->sorted.points.n - (piece == query->piece);
@@ -76,24 +69,17 @@ static bool can_have(const struct k_nearest_list *list, double bound,
 }
 //<
 
-//> Hold a node that waits
-struct waiting_node {
-    double bound;
-    uint32_t node;
-};
-//<
-
 //> Search the boxes within reach
 // The nearer one first. A stack as in chapter 11.
 INLINED void search_boxes(const enum geometry geometry,
                           struct plane_query *query)
 {
     const struct node *nodes = query->index->pieces.node;
-    struct waiting_node stack[DEEPEST + 1];
-    int height = 1;
-    stack[0] = (struct waiting_node){0, 0};
-    while (height > 0) {
-        const struct waiting_node next = stack[--height];
+    struct node_stack stack;
+    stack.height = 1;
+    stack.waiting[0] = (struct waiting){0, 0};
+    while (stack.height > 0) {
+        const struct waiting next = stack.waiting[--stack.height];
         const struct node *node = &nodes[next.node];
         if (!can_have(query->list, next.bound, node->lowest))
             continue;
@@ -102,17 +88,13 @@ INLINED void search_boxes(const enum geometry geometry,
             take_piece(geometry, node, query);
             continue;
         }
-        //> Let the two below wait, the nearer on top
-        struct waiting_node a = {0, node->first_child},
-                            b = {0, node->second_child};
+        struct waiting a = {0, node->first_child};
+        struct waiting b = {0, node->second_child};
         a.bound = box_bound(geometry, false, query->index->space,
                             &nodes[a.node].box, query->x, query->y);
         b.bound = box_bound(geometry, false, query->index->space,
                             &nodes[b.node].box, query->x, query->y);
-        assert(height < DEEPEST && "the depth is bounded");
-        stack[height++] = a.bound < b.bound ? b : a;
-        stack[height++] = a.bound < b.bound ? a : b;
-        //<
+        push_children(&stack, a, b);
     }
 }
 //<
@@ -143,7 +125,7 @@ static void choose_block(struct plane_query *query)
     const uint32_t row = axis_cell(&grid->y, query->y);
     const uint32_t wanted =
         MIN(query->list->k, query->piece->sorted.points.n - 1);
-    const double cells = wanted / query->index->per_cell;
+    const double cells = wanted / (double)POINTS_PER_PLANE_CELL;
     uint32_t radius = 1;
     if (cells > 9)
         radius = (uint32_t)(sqrt(cells) / 2);
