@@ -2,35 +2,22 @@
 // References are sorted by radix, repaired by insertion, and searched
 // by halving. 4 d n bytes; to build, d sorts.
 #include "ch12-range-queries/projection.h"
-#include "ch12-range-queries/radix_sort.h"
+#include "ch12-range-queries/order.h"
 #include "common/allocate.h"
 #include <stdlib.h>
-
-//> Sort the references
-static void sort_by(const double *x, uint32_t n, uint32_t *order)
-{
-    struct radix_record *record = allocate(n, sizeof *record);
-    struct radix_record *room = allocate(n, sizeof *room);
-    for (uint32_t i = 0; i < n; i++)
-        record[i] = (struct radix_record){radix_key(x[i]), i};
-    radix_sort(record, n, 64, room);
-    for (uint32_t r = 0; r < n; r++)
-        order[r] = record[r].point;
-    free(record);
-    free(room);
-}
 
 struct projection projection_make(const struct point_set *points)
 {
     struct projection projection = {*points};
     const uint32_t n = points->n;
+    struct radix_record *room = allocate(2 * (size_t)n, sizeof *room);
     for (int k = 0; k < points->d; k++) {
         projection.order[k] = allocate(n, sizeof(uint32_t));
-        sort_by(points->x[k], n, projection.order[k]);
+        sort_order(points->x[k], projection.order[k], n, room);
     }
+    free(room);
     return projection;
 }
-//<
 
 void projection_free(struct projection *projection)
 {
@@ -45,36 +32,18 @@ size_t projection_bytes(const struct projection *projection)
            sizeof(uint32_t);
 }
 
-//> Repair the order
-// By insertion: a reference goes past those with a greater number,
-// which are shifted by a place. Gives up after so many shifts.
-static uint64_t insert_all(const double *x, uint32_t n, uint32_t *order)
-{
-    const uint64_t max_shifts = (uint64_t)MAX_SHIFTS * n;
-    uint64_t shifts = 0;
-    for (uint32_t r = 1; r < n && shifts <= max_shifts; r++) {
-        const uint32_t point = order[r];
-        uint32_t place = r;
-        for (; place > 0 && x[order[place - 1]] > x[point]; place--)
-            order[place] = order[place - 1];
-        order[place] = point;
-        shifts += r - place;
-    }
-    if (shifts > max_shifts)
-        sort_by(x, n, order);
-    return shifts;
-}
-
 uint64_t projection_update(struct projection *projection)
 {
     const struct point_set *points = &projection->points;
+    const uint32_t n = points->n;
+    struct radix_record *room = allocate(2 * (size_t)n, sizeof *room);
     uint64_t shifts = 0;
     for (int k = 0; k < points->d; k++)
         shifts +=
-            insert_all(points->x[k], points->n, projection->order[k]);
+            repair_order(points->x[k], projection->order[k], n, room);
+    free(room);
     return shifts;
 }
-//<
 
 //> Find a place by halves
 struct slice {

@@ -19,10 +19,8 @@ struct projection projection_make(const struct point_set *points);
 void projection_free(struct projection *projection);
 size_t projection_bytes(const struct projection *projection);
 
-// The points have moved: puts the references in order again, by
-// insertion where that takes few shifts, and else anew. Says how many
-// shifts there were, at most MAX_SHIFTS for each point and coordinate.
-enum { MAX_SHIFTS = 16 };
+// The points have moved: repairs the order of each coordinate. Says how
+// many shifts there were.
 uint64_t projection_update(struct projection *projection);
 
 void projection_query(const struct projection *projection,

@@ -2,7 +2,7 @@
 // A sort, and then for each box those that begin before it ends: in a
 // cube of even boxes that is a slab, and n^(5/3) pairs in all.
 #include "ch13-contact/axis_sweep.h"
-#include "ch12-range-queries/radix_sort.h"
+#include "ch12-range-queries/order.h"
 #include "common/allocate.h"
 #include <omp.h>
 #include <stdlib.h>
@@ -44,38 +44,6 @@ void end_sweep(void *kept)
     free(sweep->order);
     free(sweep->room);
     free(sweep);
-}
-//<
-
-//> Sort the boxes by an end
-void sort_order(const double *x, uint32_t *order, uint32_t n,
-                struct radix_record *room)
-{
-    for (uint32_t r = 0; r < n; r++)
-        room[r] = (struct radix_record){radix_key(x[r]), r};
-    radix_sort(room, n, 64, room + n);
-    for (uint32_t r = 0; r < n; r++)
-        order[r] = room[r].point;
-}
-//<
-
-//> Repair the order of the boxes
-uint64_t repair_order(const double *x, uint32_t *order, uint32_t n,
-                      struct radix_record *room)
-{
-    const uint64_t most = 16 * (uint64_t)n;
-    uint64_t moves = 0;
-    for (uint32_t r = 1; r < n && moves <= most; r++) {
-        const uint32_t box = order[r];
-        uint32_t place = r;
-        for (; place > 0 && x[order[place - 1]] > x[box]; place--)
-            order[place] = order[place - 1];
-        order[place] = box;
-        moves += r - place;
-    }
-    if (moves > most)
-        sort_order(x, order, n, room);
-    return moves;
 }
 //<
 

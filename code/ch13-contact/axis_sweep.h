@@ -11,13 +11,4 @@ void *begin_sweep(const struct broad *broad);
 void *begin_sweep_kept(const struct broad *broad);
 void find_by_sweep(void *kept, const struct broad_search *search);
 void end_sweep(void *kept);
-
-// Puts n numbers of boxes, order[], in the order of x[], by insertion;
-// by sorting anew, with room for 2 n records, where that would take
-// more than 16 moves for each. Says how many moves there were.
-struct radix_record;
-uint64_t repair_order(const double *x, uint32_t *order, uint32_t n,
-                      struct radix_record *room);
-void sort_order(const double *x, uint32_t *order, uint32_t n,
-                struct radix_record *room);
 //<

@@ -4,6 +4,7 @@
 #include "ch12-range-queries/cell_array.h"
 #include "ch12-range-queries/generate_set.h"
 #include "ch12-range-queries/kd_tree.h"
+#include "ch12-range-queries/order.h"
 #include "ch12-range-queries/orthotree.h"
 #include "ch12-range-queries/projection.h"
 #include "ch12-range-queries/radix_sort.h"
