@@ -57,7 +57,7 @@ bool sample_is_even(const struct question *question, double max_density)
 //<
 
 //> Count the points of all cells
-static double density_in_cells(const struct sorted *sorted, double c)
+double density_of_cells(const struct sorted *sorted, double c)
 {
     const uint32_t *start = sorted->cells.start;
     const uint32_t m = grid_cells(&sorted->grid);
@@ -72,7 +72,7 @@ static double density_in_cells(const struct sorted *sorted, double c)
 bool cells_are_even(const struct sorted *sorted, double c,
                     double max_density)
 {
-    return density_in_cells(sorted, c) <= max_density;
+    return density_of_cells(sorted, c) <= max_density;
 }
 //<
 

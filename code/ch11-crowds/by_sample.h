@@ -10,6 +10,10 @@
 // which.
 search_function by_sample;
 
+// How many times as dense, on average, the points around a point are as
+// all are, in cells that have c points on average.
+double density_of_cells(const struct sorted *sorted, double c);
+
 // The two looks, for other searches: whether a sample shows no crowd,
 // and whether the points that are sorted into cells, c of them in each
 // on average, are even enough for a single grid: around a point no more

@@ -9,9 +9,6 @@
 
 enum { FEWEST = 1000, FEW = 100000 };
 
-// A point that takes ten times what is usual is not worth the wait.
-static const double limit = 25000;
-
 static const char *const ours[] = {"row-spans", "cells-threads",
                                    "vector-spiral", "spiral"};
 static const char *const kinds[] = {"uniform", "clustered", "kuzmin"};
@@ -47,7 +44,7 @@ int main(int argc, char **argv)
         contenders[order] = contenders_of(ours, COUNT_OF(ours));
     print_head(&e);
     for (uint64_t n = FEWEST; n <= largest; n *= 10) {
-        struct rules rules = {.limit = limit,
+        struct rules rules = {.limit = MAX_NS_A_POINT,
                               .patience = seconds * 1e9,
                               .trials = n <= FEW ? 3 * trials : trials,
                               .threads = omp_get_num_procs()};

@@ -29,6 +29,9 @@ void instance_free(struct instance *instance);
 
 enum { MAX_TRIALS = 100 };
 
+// A point that takes ten times what is usual is not worth the wait.
+enum { MAX_NS_A_POINT = 25000 };
+
 struct rules {
     double limit;    // ns a point: what needs more is not run
     double patience; // ns for the trials of a program, but at least one

@@ -9,9 +9,6 @@
 
 enum { FEWEST = 1000 };
 
-// A point that takes ten times what is usual is not worth the wait.
-static const double limit = 25000;
-
 static const char *const ours[] = {"by-sample", "adaptive",
                                    "row-spans"};
 static void compete_for(struct points points,
@@ -43,7 +40,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t largest = parameter(&e, "LARGEST", 10000, FEWEST, MANY);
-    struct rules rules = {.limit = limit,
+    struct rules rules = {.limit = MAX_NS_A_POINT,
                           .threads = omp_get_num_procs()};
     rules.trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     rules.patience = 1e9 * parameter(&e, "SECONDS", 2, 1, MANY);

@@ -1,18 +1,13 @@
 // The distance is chosen, and the right answers are known, by this
 // book's k-d tree; boxes lie around points.
 #include "peers/range_scene.h"
+#include "ch04-cell-sort/line.h"
 #include "ch12-range-queries/generate_set.h"
 #include "common/experiment.h"
 #include <inttypes.h>
 #include <math.h>
 
 // That at which half of the points have all the neighbors wanted.
-static int compare_doubles(const void *one, const void *other)
-{
-    const double a = *(const double *)one, b = *(const double *)other;
-    return (a > b) - (a < b);
-}
-
 static void choose_distance(struct range_scene *scene)
 {
     const uint32_t n = scene->points.n;
@@ -24,7 +19,7 @@ static void choose_distance(struct range_scene *scene)
     for (uint32_t i = 0; i < n; i++)
         scene->distance2[i] =
             scene->right2[(i + (size_t)1) * NEIGHBORS_WANTED - 1];
-    qsort(scene->distance2, n, sizeof(double), compare_doubles);
+    sort_numbers(scene->distance2, n);
     // A little more, since libraries differ on whether it belongs to
     // it.
     scene->distance = sqrt(scene->distance2[n / 2]) * (1 + 1e-9);

@@ -9,6 +9,7 @@
 #include "algorithms.h"
 #include "ch04-cell-sort/sorted.h"
 #include "ch09-row-spans/row_spans.h"
+#include "ch11-crowds/by_sample.h"
 #include "common/experiment.h"
 #include <math.h>
 
@@ -28,13 +29,10 @@ static struct points with_core(uint32_t n, double side)
 static double density(const struct question *question)
 {
     struct sorted sorted = sorted_make(question, POINTS_PER_SPAN_CELL);
-    const uint32_t *start = sorted.cells.start;
-    double together = 0;
-    for (uint32_t k = 0; k < grid_cells(&sorted.grid); k++)
-        together += (double)(start[k + 1] - start[k]) *
-                    (start[k + 1] - start[k]);
+    const double density =
+        density_of_cells(&sorted, POINTS_PER_SPAN_CELL);
     sorted_free(&sorted);
-    return (together / question->points.n - 1) / POINTS_PER_SPAN_CELL;
+    return density;
 }
 
 static void print_density(double wanted, uint32_t n, int trials)

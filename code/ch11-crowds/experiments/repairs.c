@@ -6,6 +6,7 @@
 //
 //     repairs [POINTS]
 #include "algorithms.h"
+#include "ch04-cell-sort/line.h"
 #include "ch04-cell-sort/sorted.h"
 #include "common/allocate.h"
 #include "common/experiment.h"
@@ -36,18 +37,12 @@ static double squares(struct points points, double c, int levels)
 
 // Strips of equally many points by x, and each cut by the same cuts in
 // y, of equally many of all points: a grid that is fitted to them.
-static int compare_numbers(const void *one, const void *other)
-{
-    const double a = *(const double *)one, b = *(const double *)other;
-    return (a > b) - (a < b);
-}
-
 static double *cuts_of(const double *value, uint32_t n, uint32_t count)
 {
     double *copy = allocate(n, sizeof *copy);
     double *cut = allocate(count, sizeof *cut);
     memcpy(copy, value, n * sizeof *copy);
-    qsort(copy, n, sizeof *copy, compare_numbers);
+    sort_numbers(copy, n);
     for (uint32_t k = 0; k < count; k++)
         cut[k] = copy[(uint64_t)n * k / count];
     free(copy);
