@@ -1,6 +1,7 @@
 //> Query the plane
 // First a block, then down the tree of boxes, as chapter 11 does. What
 // is as far as the last is looked at, since its index may be lower.
+// Even points take a few k distances; for crowds no bound is proved.
 #include "ch12-range-queries/plane_query.h"
 #include "ch11-crowds/node_stack.h"
 #include "ch12-range-queries/plane_rows.h"
