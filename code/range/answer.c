@@ -70,7 +70,7 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
     struct neighbor_query query = {.at = place,
                                    .self = self_of_query(task, q),
                                    .found = room->found};
-    if (task->options->wish == WITHIN)
+    if (task->options->question == WITHIN)
         want_within(&query, task->options->distance);
     else
         want_nearest(&query, MIN(task->options->k, task->points.n));
@@ -84,7 +84,7 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
 static struct answer keep(const struct task *task,
                           const struct room *room, uint32_t count)
 {
-    const bool boxes = task->options->wish == BOXES;
+    const bool boxes = task->options->question == BOXES;
     struct answer answer = {count, allocate(count, sizeof(uint32_t)),
                             boxes ? NULL
                                   : allocate(count, sizeof(double))};
@@ -93,7 +93,7 @@ static struct answer keep(const struct task *task,
         qsort(answer.point, count, sizeof *answer.point, by_index);
         return answer;
     }
-    if (task->options->wish == WITHIN)
+    if (task->options->question == WITHIN)
         sort_found(room->found, count);
     for (uint32_t k = 0; k < count; k++) {
         answer.point[k] = room->found[k].index;
@@ -107,7 +107,7 @@ void answer_batch(const struct task *task, uint32_t first,
                   struct totals *totals)
 {
     uint64_t found = 0, steps = 0, tested = 0;
-    const bool boxes = task->options->wish == BOXES;
+    const bool boxes = task->options->question == BOXES;
     const uint32_t n = task->points.n;
 #pragma omp parallel num_threads(task->threads) \
     reduction(+ : found, steps, tested)

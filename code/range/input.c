@@ -34,7 +34,7 @@ static struct queries draw_queries(const struct options *options,
                                    const struct point_set *points)
 {
     const int d = points->d;
-    const bool boxes = options->wish == BOXES;
+    const bool boxes = options->question == BOXES;
     struct queries queries = {options->random ? options->random
                                               : USUAL_BOXES,
                               boxes ? 2 * d : d};
@@ -58,7 +58,7 @@ static struct queries draw_queries(const struct options *options,
 struct queries get_queries(const struct options *options,
                            const struct point_set *points)
 {
-    const bool boxes = options->wish == BOXES;
+    const bool boxes = options->question == BOXES;
     const int columns = boxes ? 2 * points->d : points->d;
     if (options->queries) {
         const struct rows rows =

@@ -16,11 +16,11 @@ enum {
     SHARE
 };
 
-static void wish(struct options *options, enum wish wish)
+static void ask(struct options *options, enum range_question question)
 {
-    if (options->wish && options->wish != wish)
+    if (options->question && options->question != question)
         fail("one of --box, --within and --nearest at a time");
-    options->wish = wish;
+    options->question = question;
 }
 
 static const struct structure *parse_structure(const char *text)
@@ -40,14 +40,14 @@ static void take_name(struct options *o, int option)
             parse_count("--dimensions", optarg, 1, MAX_DIMENSIONS);
         break;
     case BOX:
-        wish(o, BOXES);
+        ask(o, BOXES);
         break;
     case WITHIN_R:
-        wish(o, WITHIN);
+        ask(o, WITHIN);
         o->distance = parse_distance("--within", optarg);
         break;
     case NEAREST_OF:
-        wish(o, NEAREST_K);
+        ask(o, NEAREST_K);
         o->k = parse_count("--nearest", optarg, 1, UINT32_MAX);
         break;
     case QUERIES:
@@ -102,7 +102,7 @@ static void check_options(const struct options *o)
     if (o->file && o->dimensions)
         fail("--dimensions is for random points; a file has as many "
              "as it has columns");
-    if (!o->wish)
+    if (!o->question)
         fail("what is asked? Say --box, --within R or --nearest K; see "
              "range --help");
     if (o->queries && o->random)
@@ -111,7 +111,7 @@ static void check_options(const struct options *o)
     if (o->file && o->queries && strcmp(o->file, "-") == 0 &&
         strcmp(o->queries, "-") == 0)
         fail("points and queries cannot both be standard input");
-    if (o->wish != BOXES && !o->structure->neighbors)
+    if (o->question != BOXES && !o->structure->neighbors)
         fail("%s finds no neighbors; see range --list",
              o->structure->name);
     if (o->timing && o->output && strcmp(o->output, "-") == 0)

@@ -3,7 +3,7 @@
 #include "ch12-range-queries/structures.h"
 #include "common/generate.h"
 
-enum wish { BOXES = 1, WITHIN, NEAREST_K };
+enum range_question { BOXES = 1, WITHIN, NEAREST_K };
 
 struct options {
     const char *file; // to read, "-": standard input; or NULL
@@ -11,7 +11,7 @@ struct options {
     int dimensions;
     const struct distribution *distribution;
     uint64_t seed;
-    enum wish wish;
+    enum range_question question;
     double distance;     // within it
     uint32_t k;          // so many nearest
     const char *queries; // a file; or NULL

@@ -19,7 +19,7 @@ void write_head(const struct task *task)
 {
     if (task->options->counts)
         write_text("query\tcount\n");
-    else if (task->options->wish == BOXES)
+    else if (task->options->question == BOXES)
         write_text("query\tpoint\n");
     else
         write_text("query\tpoint\tdistance\n");
@@ -110,7 +110,7 @@ static bool place_is_right(const struct task *task, uint32_t q,
                 answer->distance2[k])
             return false;
     }
-    const bool within = o->wish == WITHIN;
+    const bool within = o->question == WITHIN;
     if (!within && count != (o->k < others ? o->k : others))
         return false;
     const double reach2 = within  ? o->distance * o->distance
@@ -132,7 +132,7 @@ uint32_t count_wrong(const struct task *task, uint32_t first,
 #pragma omp parallel for num_threads(task->threads) \
     reduction(+ : wrong) schedule(dynamic)
     for (uint32_t q = 0; q < count; q++)
-        wrong += task->options->wish == BOXES
+        wrong += task->options->question == BOXES
                      ? !box_is_right(task, first + q, &answer[q])
                      : !place_is_right(task, first + q, &answer[q]);
     return wrong;
