@@ -146,7 +146,7 @@ $(foreach c,$(mains),$(eval $(call link_rule,$(call program_of,$(c)),$(call obje
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
 # The longest first, or one would be left alone with a processor.
 longest       := exercises press sheet corpus grade release manual ch11-crowds
-all_tests     := $(filter-out web,$(patsubst tests/%/.,%,$(wildcard tests/*/.)))
+all_tests     := $(filter-out web browser,$(patsubst tests/%/.,%,$(wildcard tests/*/.)))
 TESTS         ?= $(filter $(all_tests),$(longest)) $(filter-out $(longest),$(all_tests))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)
 
@@ -304,7 +304,7 @@ web: $(BUILD)/web/index.html
 check-web: $(BUILD)/web/index.html | $(BUILD)/setup/check-web
 	@mkdir -p $(BUILD)/web-check && cp tests/web/package.json $(BUILD)/web-check
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/web-check
-	@BUILD=$(BUILD) CC="$(CC)" tests/run web
+	@BUILD=$(BUILD) CC="$(CC)" tests/run browser web
 
 # ---- slides --------------------------------------------------------
 #: the slides of chapter N: build/slides/chNN.pdf

@@ -9,7 +9,7 @@
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
-import { start } from "./chromium.mjs";
+import { start } from "../browser/chromium.mjs";
 
 const build = resolve(process.argv[2]), web = build + "/web";
 const out = build + "/web-check/live";
