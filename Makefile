@@ -370,14 +370,31 @@ measure: $(programs)
 measureN:
 	@echo "say make measure1, make measure2, ..."
 
-#: count anew what valgrind and llvm-mca count, in a minute
-evidence: $(programs) | $(BUILD)/setup/evidence
-	@for script in book/experiments/*-evidence.sh; do \
+# What valgrind and llvm-mca count of the chapters named.
+define count
+	@for script in $(wildcard $(1:%=book/experiments/ch%-evidence.sh)); do \
 	    name=$$(basename "$$script" .sh); echo "count $$name"; \
 	    BUILD=$(BUILD) CC="$(CC)" sh "$$script" \
 	        >"$(BUILD)/$$name.tsv" && \
 	    mv "$(BUILD)/$$name.tsv" book/data || exit 1; \
 	done
+endef
+
+#: count anew what valgrind and llvm-mca count, in a minute
+evidence: $(programs) | $(BUILD)/setup/evidence
+	$(call count,*)
+
+#: count anew for chapter N
+evidenceN:
+	@echo "say make $(foreach c,$(counted),evidence$(call number_of,$(c)))"
+
+counted := $(patsubst book/experiments/ch%-evidence.sh,%,$(wildcard book/experiments/*-evidence.sh))
+define evidence_rule
+.PHONY: evidence$(1)
+evidence$(1): $(programs) | $(BUILD)/setup/evidence
+	$$(call count,$(2))
+endef
+$(foreach c,$(counted),$(eval $(call evidence_rule,$(call number_of,$(c)),$(c))))
 
 # ---- other libraries -----------------------------------------------
 # What only `make peers` needs: C++, and the libraries themselves.
@@ -514,5 +531,5 @@ compiled := $(sources:code/%=%) $(patsubst code/%,%,$(wildcard code/peers/*.cc))
 -include $(wildcard $(patsubst %,$(BUILD)/plain/%.d,$(basename $(compiled))) \
 	$(patsubst %,%.d,$(programs) $(test_programs)))
 
-.PHONY: all programs test test-all check-book figures drawings pictures web check-web slides slidesN readme chapterN measure measureN evidence
+.PHONY: all programs test test-all check-book figures drawings pictures web check-web slides slidesN readme chapterN measure measureN evidence evidenceN
 .PHONY: exercises $(exercises) exerciseN.K $(watches) watchN.K $(hints) hintN.K grade peers check-race check-mutations check-memory analyze fuzz check-arm64 format clean help
