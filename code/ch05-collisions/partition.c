@@ -174,9 +174,10 @@ static struct partition take_result(uint32_t n, uint32_t m,
 //<
 
 //> Add up the arrays of a partition
-// Both together, and a line for the rest of each array; or what stays
-// and the results, if they take more than the records, and two numbers
-// for each row.
+// What stays: coordinates and up to three indices a point, and the
+// starts. On top of it first the records and the counts of buckets, and
+// later, in the place of the records, the results of searches and two
+// numbers for each row. Each array begins on a cache line of its own.
 static size_t bytes_for(const struct buckets *buckets, uint32_t m,
                         enum restore restore)
 {

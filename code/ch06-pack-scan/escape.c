@@ -1,7 +1,8 @@
 //> Take steps until all have escaped
-// One vector for all points, one lane for each. A step is elementwise
-// and takes all lanes, useful or not; a packing keeps the lanes whose
-// points have not escaped, for one pack and a gather for each array.
+// The escape times of the Mandelbrot set, with one vector for all
+// points, one lane for each. A step is elementwise and takes all lanes,
+// useful or not; a packing keeps the lanes whose points have not
+// escaped, for one pack and a gather for each array.
 #include "ch06-pack-scan/escape.h"
 #include "common/fail.h"
 #include <stdlib.h>

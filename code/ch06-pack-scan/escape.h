@@ -1,8 +1,9 @@
 //> Declare the escape times
-// The example of chapter 6: how many steps z = z z + c, begun at 0, can
-// be taken from a point c of the plane before |z| > 4. Every point has
-// a lane of a vector, and all lanes take a step together. A point that
-// has escaped keeps its lane busy until the vector is packed.
+// The example of chapter 6, the Mandelbrot set: how many steps z = z z
+// + c, begun at 0, can be taken from a point c of the plane before |z|
+// > 4. Every point has a lane of a vector, and all lanes take a step
+// together. A point that has escaped keeps its lane busy until the
+// vector is packed.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
 #include "common/points.h"

@@ -1,6 +1,7 @@
 //> Fuse the loops in AVX2
-// Eight tasks or visits at a time; doubles in two halves. Routes are
-// loads and stores for each lane, as in chapter 6.
+// Both kernels of spiral_kernels.h, each a single pass over its list,
+// eight tasks or visits at a time; doubles in two halves. Gathers and
+// scatters are loads and stores for each lane, as in chapter 6.
 #include "ch08-vector-spiral/spiral_kernels.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch08-vector-spiral/lanes_avx2.h"

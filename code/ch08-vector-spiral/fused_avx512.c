@@ -1,6 +1,8 @@
 //> Fuse the loops in AVX-512
-// Eight tasks or visits at a time. Every load, store and route has a
-// mask of the lanes that it is for, so that a vector need not be full.
+// Both kernels of spiral_kernels.h, each a single pass over its list,
+// eight tasks or visits at a time. Every load, store, gather and
+// scatter has a mask of the lanes that it is for, so that a vector need
+// not be full.
 #include "ch08-vector-spiral/spiral_kernels.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch08-vector-spiral/near2.h"

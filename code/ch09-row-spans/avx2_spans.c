@@ -1,6 +1,6 @@
 //> Search row spans with AVX2
-// The kernels of span_kernels.h: eight floats, or four doubles, at a
-// time.
+// The kernels of span_kernels.h, eight floats or four doubles at a
+// time: some twelve instructions for a candidate and eight queries.
 #include "ch09-row-spans/span_kernels.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch09-row-spans/avx2_certify.h"

@@ -1,6 +1,7 @@
 //> Search row spans with AVX-512
-// The kernels of span_kernels.h: sixteen floats, or eight doubles, at a
-// time. What follows the sweep is AVX2's.
+// The kernels of span_kernels.h, sixteen floats or eight doubles at a
+// time: a step of the sweep compares two candidates with eight queries.
+// What follows the sweep is AVX2's.
 #include "ch09-row-spans/span_kernels.h"
 #ifdef HAVE_X86_VECTORS
 #include "ch09-row-spans/avx512_batch.h"

@@ -1,6 +1,6 @@
 //> Search row spans in plain C
-// The kernels of span_kernels.h for any processor, one candidate at a
-// time for eight queries, or one query with one point at a time.
+// The kernels of span_kernels.h for any processor: a batch takes a step
+// of eight lanes for each candidate, a single query one for each point.
 #include "ch09-row-spans/span_kernels.h"
 #include "ch09-row-spans/portable_batch.h"
 

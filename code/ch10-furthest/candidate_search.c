@@ -2,7 +2,7 @@
 // For every point its cell, and for that its only candidate or the
 // furthest of a few, in strips of points that share the arithmetic of
 // their cells. Points come in the order of the input, and so do their
-// answers.
+// answers. About one distance a point if the points are spread evenly.
 #include "ch10-furthest/candidate_search.h"
 
 //> Find the candidate cells of a strip

@@ -1,4 +1,7 @@
 //> Declare the search in the candidate grid
+// The furthest of a point is the only candidate of its cell, or the
+// furthest of a short list: about one distance a point, if the points
+// are spread evenly.
 #pragma once
 #include "ch10-furthest/candidate_grid.h"
 

@@ -1,5 +1,6 @@
 //> Sort candidates from left to right
-// In buckets by x; what has the same x, by comparing.
+// In buckets by x; what has the same x, by comparing. A few steps for
+// each where the x are spread evenly, n log n at worst.
 #include "ch10-furthest/candidates.h"
 #include "ch10-furthest/sort_keys.h"
 #include <stdlib.h>

@@ -2,7 +2,8 @@
 // If a pair is separated by a and b in a box of w by h, its furthest
 // images lack a (2 w - a) + b (2 h - b) of the largest squared distance
 // there is. We call that their loss; the furthest point has the least,
-// and the filter of chapter 9 finds the least.
+// and the filter of chapter 9 finds the least, with as many candidates
+// as for the nearest.
 #include "ch10-furthest/furthest_kernels.h"
 #include "ch09-row-spans/portable_batch.h"
 #ifdef HAVE_X86_VECTORS

@@ -20,7 +20,8 @@ struct corners {
 // A point is never the furthest if its surplus is more than this, times
 // D^2, where D is the diagonal of the box of all points. Two squared
 // distances are compared, each with an error below 2^-50 D^2, and a
-// mean that we compute may miss the point by 2^-47 D: half would do.
+// mean that we compute misses the point by less than 2^-47 D, twice
+// the MISS of hull.c: half would do.
 static const double CORNER_SURPLUS = 0x1p-44;
 //<
 

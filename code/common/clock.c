@@ -1,6 +1,7 @@
 //> Measure time
-// A quartile that falls between two values is interpolated
-// between them.
+// Runs something many times, and sorts the times for their median and
+// quartiles; a quartile that falls between two is interpolated. As many
+// runs as trials, and one to warm up.
 #include "common/clock.h"
 #include "common/fail.h"
 #include <assert.h>

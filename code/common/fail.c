@@ -1,6 +1,7 @@
 //> Fail in one place
-// The program's name is not passed as an argument, because fail must
-// work from anywhere.
+// Prints one sentence and ends the program, from any thread. The
+// program's name is not passed as an argument, because fail must work
+// from anywhere.
 #include "common/fail.h"
 #include <errno.h>
 #include <stdarg.h>

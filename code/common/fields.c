@@ -1,5 +1,6 @@
-// Everything looks at the line from left to right. Decimal points are
-// points because no program of ours leaves the C locale.
+// Finds the fields of a line and reads the numbers in them, each in one
+// pass from left to right. Decimal points are points because no program
+// of ours leaves the C locale.
 #include "common/fields.h"
 #include "common/numbers.h"
 #include <ctype.h>

@@ -1,8 +1,9 @@
 //> Measure in two geometries
-// Squared distances in the two geometries. Along each axis, the
-// wraparound geometry may take a separation d as d or as (box - d):
-// the closest image takes the smaller on each axis, the furthest image
-// the larger. The furthest is therefore not the usual torus distance.
+// Squared distances in the two geometries. Wraparound is what others
+// call periodic boundary conditions: along each axis, a separation d
+// may count as d or as (box - d). The closest image, the minimum image
+// of molecular dynamics, takes the smaller on each axis, the furthest
+// image the larger. So the furthest is not the usual torus distance.
 #pragma once
 #include <math.h>
 

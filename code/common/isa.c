@@ -1,6 +1,7 @@
 //> Choose the instruction set
-// AVX-512 stands for what the processors of 2017 and later
-// have of it: F, CD, BW, DQ and VL.
+// Asks the processor what it has and takes the most, or what NEAR_ISA
+// names. AVX-512 stands for what the processors of 2017 and later have
+// of it: F, CD, BW, DQ and VL.
 #include "common/isa.h"
 #include "common/fail.h"
 #include <stdlib.h>

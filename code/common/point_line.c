@@ -1,5 +1,6 @@
-// One pass over the fields of a line. Where a number ends its field
-// does, so that no character of it is looked at twice.
+// Reads the two coordinates of a line, or says what was expected. One
+// pass over the fields of a line. Where a number ends its field does,
+// so that no character of it is looked at twice.
 #include "common/point_line.h"
 #include "common/fields.h"
 #include <math.h>

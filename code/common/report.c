@@ -1,4 +1,5 @@
-// Linux tells its machine in files, under /proc and /sys;
+// Prints the processor, its caches, memory, the compiler with its flags
+// and the date. Linux tells its machine in files, under /proc and /sys;
 // what cannot be found out is called unknown.
 #include "common/report.h"
 #include <stdlib.h>

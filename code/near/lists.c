@@ -1,4 +1,6 @@
-// See lists.h.
+// Writes a piece of rows at a time, each formatted by a thread and
+// written when its turn has come. The check measures all n^2 pairs, as
+// often as a list needs, and shares nothing with the search.
 #include "near/lists.h"
 #include "common/allocate.h"
 #include "common/min_max.h"

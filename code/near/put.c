@@ -1,4 +1,5 @@
-// See put.h.
+// Puts the parts of a row, and NumPy's head of all rows, one behind the
+// other into memory that the caller has: a few steps a byte.
 #include "near/put.h"
 #include <inttypes.h>
 #include <stdio.h>

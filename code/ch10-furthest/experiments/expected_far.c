@@ -24,9 +24,9 @@ static double cells_at_corner(double c, double right, double up)
     return sum;
 }
 
-// At (u, v) in its home, with wraparound: the nearer by the sum of the
-// separations, the further. Those further than all that is in a cell
-// are in a diamond, cut off above and below the rows seen.
+// At (u, v) in its own cell, with wraparound: the nearer by the sum of
+// the separations, the further. Those further than all that is in a
+// cell are in a diamond, cut off above and below the rows seen.
 static double separation(int k, double u)
 {
     return k > 0 ? k - u : k < 0 ? u - k - 1 : 0;
