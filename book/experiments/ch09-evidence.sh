@@ -54,8 +54,8 @@ parts() {
         awk -v n="$((3 * points))" '
         function add(name) { gsub(",", "", $1); sum[name] += $1 }
         /:nearest \[/ { add("kernel") }
-        /:stag(e|ing_open) \[/ { add("staging") }
-        /:staging_point_out \[/ { add("pointing") }
+        /:stage(_candidates)? \[/ { add("staging") }
+        /:find_candidates \[/ { add("pointing") }
         /:answer_chunk \[/ { add("driver") }
         /:restore_order/ { add("restoring") }
         END { for (name in sum)

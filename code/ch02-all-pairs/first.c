@@ -30,8 +30,8 @@ void measure_pow(const struct space *space, double dx, double dy,
 //> Square with an exponent out of sight
 static volatile double exponent = 2.0;
 
-void measure_hidden(const struct space *space, double dx, double dy,
-                    double result[2])
+void measure_pow_variable(const struct space *space, double dx,
+                          double dy, double result[2])
 {
     (void)space;
     double e = exponent;

@@ -12,8 +12,8 @@ typedef void measure_function(const struct space *space, double dx,
 //<
 
 measure_function measure_standard, measure_wraparound;
-measure_function measure_pow;    // standard, with pow(dx, 2.0)
-measure_function measure_hidden; // the same, the 2.0 out of sight
+measure_function measure_pow;          // standard, with pow(dx, 2.0)
+measure_function measure_pow_variable; // the same, the 2.0 out of sight
 
 // Searches with any of them; rows begin .. end-1, on one thread.
 void first_search(const struct question *question,

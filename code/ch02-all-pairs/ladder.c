@@ -94,12 +94,14 @@ SPECIALIZE(split)
 //> Keep distances only
 INLINED void sweep(const enum geometry geometry,
                    const struct question *question, uint32_t i,
-                   uint64_t begin, uint64_t end, struct pair *best)
+                   uint64_t begin, uint64_t end,
+                   struct pair_distances *best)
 {
     const struct points p = question->points;
     for (uint64_t j = begin; j < end; j++) {
-        struct pair pair = pair2(geometry, question->space,
-                                 p.x[j] - p.x[i], p.y[j] - p.y[i]);
+        struct pair_distances pair =
+            pair2(geometry, question->space, p.x[j] - p.x[i],
+                  p.y[j] - p.y[i]);
         best->near2 = MIN(pair.near2, best->near2);
         best->far2 = MAX(pair.far2, best->far2);
     }
@@ -114,12 +116,12 @@ INLINED void blocks(const enum geometry geometry,
 {
     const uint32_t n = question->points.n;
     for (uint32_t i = begin; i < end; i++) {
-        struct pair best = {INFINITY, 0};
+        struct pair_distances best = {INFINITY, 0};
         uint64_t near_block = 0, far_block = 0;
         for (uint64_t block = 0; block < n; block += BLOCK) {
             uint64_t stop = MIN(n, block + BLOCK);
             //> Sweep a block and see whether it did better
-            struct pair before = best;
+            struct pair_distances before = best;
             sweep(geometry, question, i, block, MIN(stop, i), &best);
             sweep(geometry, question, i, MAX(block, i + 1), stop,
                   &best);
@@ -151,7 +153,7 @@ INLINED void lane_sweep(const enum geometry geometry,
     for (; j + LANES <= end; j += LANES) {
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
-            struct pair pair =
+            struct pair_distances pair =
                 pair2(geometry, space, x[j + lane] - t.x[lane],
                       y[j + lane] - t.y[lane]);
             t.near2[lane] = MIN(pair.near2, t.near2[lane]);
@@ -161,7 +163,7 @@ INLINED void lane_sweep(const enum geometry geometry,
     //<
     //> Give the last few to the first lane
     for (; j < end; j++) {
-        struct pair pair =
+        struct pair_distances pair =
             pair2(geometry, space, x[j] - t.x[0], y[j] - t.y[0]);
         t.near2[0] = MIN(pair.near2, t.near2[0]);
         t.far2[0] = MAX(pair.far2, t.far2[0]);

@@ -4,30 +4,26 @@
 // geometry.h: rounding keeps order, so that the smaller of two squares
 // is the square of the smaller.
 #pragma once
+#include "common/inlined.h"
 #include "common/question.h"
 
-//> Declare copies of a function
-// Makes a copy of a function at each of its calls. What is constant
-// there, such as the geometry, is constant in the copy.
-#define INLINED static inline __attribute__((always_inline))
-//<
-
 //> Hold both distances of a pair
-struct pair {
+struct pair_distances {
     double near2, far2; // squared, to the closest, furthest image
 };
 //<
 
 //> Measure both images at once
-INLINED struct pair pair2(const enum geometry geometry,
-                          struct space space, double dx, double dy)
+INLINED struct pair_distances pair2(const enum geometry geometry,
+                                    struct space space, double dx,
+                                    double dy)
 {
     double ax2 = dx * dx, ay2 = dy * dy;
     if (geometry == STANDARD)
-        return (struct pair){ax2 + ay2, ax2 + ay2};
+        return (struct pair_distances){ax2 + ay2, ax2 + ay2};
     double bx = space.width - fabs(dx), by = space.height - fabs(dy);
     double bx2 = bx * bx, by2 = by * by;
-    return (struct pair){
+    return (struct pair_distances){
         (ax2 < bx2 ? ax2 : bx2) + (ay2 < by2 ? ay2 : by2),
         (ax2 > bx2 ? ax2 : bx2) + (ay2 > by2 ? ay2 : by2)};
 }

@@ -69,8 +69,9 @@ INLINED uint64_t find_index(const enum geometry geometry,
     const struct points p = question->points;
     for (;; j++) {
         assert(j < p.n && "compile with -ffp-contract=off");
-        struct pair pair = pair2(geometry, question->space,
-                                 p.x[j] - p.x[i], p.y[j] - p.y[i]);
+        struct pair_distances pair =
+            pair2(geometry, question->space, p.x[j] - p.x[i],
+                  p.y[j] - p.y[i]);
         if (j != i && (far ? pair.far2 : pair.near2) == distance2)
             return j;
     }

@@ -4,7 +4,7 @@
 // tile itself a plain loop with a test takes over. `fused` has the
 // multipliers subtract; bitwise the same.
 #include "ch02-all-pairs/tiles.h"
-#include "ch02-all-pairs/difference.h"
+#include "ch02-all-pairs/subtract_fused.h"
 #include "ch02-all-pairs/tile.h"
 #include <assert.h>
 
@@ -23,11 +23,11 @@ INLINED void sweep(const enum geometry geometry, const bool fused,
     for (uint64_t j = begin; j < end; j++) {
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
-            double dx = fused ? difference(x[j], t.x[lane], one)
+            double dx = fused ? subtract_fused(x[j], t.x[lane], one)
                               : x[j] - t.x[lane];
-            double dy = fused ? difference(y[j], t.y[lane], one)
+            double dy = fused ? subtract_fused(y[j], t.y[lane], one)
                               : y[j] - t.y[lane];
-            struct pair pair = pair2(geometry, space, dx, dy);
+            struct pair_distances pair = pair2(geometry, space, dx, dy);
             t.near2[lane] = MIN(pair.near2, t.near2[lane]);
             t.far2[lane] = MAX(pair.far2, t.far2[lane]);
         }
@@ -48,7 +48,7 @@ INLINED void compare_within(const enum geometry geometry,
         for (uint32_t j = i; j < i + width; j++) {
             if (j == i + lane)
                 continue;
-            struct pair pair =
+            struct pair_distances pair =
                 pair2(geometry, question->space, p.x[j] - tile->x[lane],
                       p.y[j] - tile->y[lane]);
             tile->near2[lane] = MIN(pair.near2, tile->near2[lane]);

@@ -6,7 +6,7 @@
 // never NAN. Double checks: Schmidt and Harrison, 1997; the repair by
 // atomic reads: Boehm and Adve, 2008.
 #pragma once
-#include "ch02-all-pairs/pair.h"
+#include "common/inlined.h"
 #include <math.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -30,7 +30,7 @@ struct bests bests_begin(uint32_t n);
 void bests_free(struct bests *bests);
 
 //> Guard everything
-INLINED void offer_queue(struct best *best, double key, uint32_t index)
+INLINED void offer_locked(struct best *best, double key, uint32_t index)
 {
 #pragma omp critical(best)
     {
@@ -52,7 +52,7 @@ INLINED void offer_critical(struct best *best, double key,
     double held =
         atomic_load_explicit(&best->key, memory_order_relaxed);
     if (key <= held)
-        offer_queue(best, key, index);
+        offer_locked(best, key, index);
 }
 //<
 

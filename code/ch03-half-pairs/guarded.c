@@ -20,8 +20,9 @@ INLINED void share_rows(const enum geometry geometry,
 #pragma omp for schedule(dynamic, 32)
     for (uint32_t i = 0; i < p.n; i++) {
         for (uint32_t j = i + 1; j < p.n; j++) {
-            struct pair pair = pair2(geometry, question->space,
-                                     p.x[j] - p.x[i], p.y[j] - p.y[i]);
+            struct pair_distances pair =
+                pair2(geometry, question->space, p.x[j] - p.x[i],
+                      p.y[j] - p.y[i]);
             offer(&bests.near[i], pair.near2, j);
             offer(&bests.near[j], pair.near2, i);
             offer(&bests.far[i], -pair.far2, j);
@@ -48,13 +49,13 @@ static void copy_to_answers(struct bests *bests, uint32_t n,
 //<
 
 //> Let one thread at a time look
-void triangle_queue(const struct question *question,
-                    struct answers *answers)
+void triangle_locked(const struct question *question,
+                     struct answers *answers)
 {
     struct bests bests = bests_begin(question->points.n);
 #pragma omp parallel num_threads(question->threads)
     IN_GEOMETRY(question->space, share_rows, question, bests,
-                offer_queue);
+                offer_locked);
     copy_to_answers(&bests, question->points.n, answers);
 }
 //<

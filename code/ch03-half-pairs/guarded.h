@@ -7,7 +7,7 @@
 #include "common/question.h"
 
 // One thread at a time may look at a best: right, and slow.
-search_function triangle_queue;
+search_function triangle_locked;
 
 // Look first, and queue only with something to change: a double check
 // whose first look is an atomic read.

@@ -18,7 +18,7 @@ void triangle_begin(struct answers *answers, uint32_t n)
 
 //> Offer a neighbor to one end
 static inline void offer(struct answers *answers, uint32_t i,
-                         uint32_t j, struct pair pair)
+                         uint32_t j, struct pair_distances pair)
 {
     if (pair.near2 < answers->nearest2[i]) {
         answers->nearest2[i] = pair.near2;
@@ -38,8 +38,9 @@ INLINED void row(const enum geometry geometry,
 {
     const struct points p = question->points;
     for (uint32_t j = i + 1; j < p.n; j++) {
-        struct pair pair = pair2(geometry, question->space,
-                                 p.x[j] - p.x[i], p.y[j] - p.y[i]);
+        struct pair_distances pair =
+            pair2(geometry, question->space, p.x[j] - p.x[i],
+                  p.y[j] - p.y[i]);
         offer(answers, i, j, pair);
         offer(answers, j, i, pair);
     }

@@ -5,7 +5,7 @@
 // chapter 2, the bests learn only the block of a neighbor, and a second
 // look finds the point.
 #include "ch03-half-pairs/triangle_tiles.h"
-#include "ch02-all-pairs/difference.h"
+#include "ch02-all-pairs/subtract_fused.h"
 #include "ch02-all-pairs/tile.h"
 #include "ch03-half-pairs/best.h"
 
@@ -39,9 +39,10 @@ static void load(struct tile_columns *columns, struct points points,
 // improved. Each lane has a best of its own, so that no step waits for
 // the last. The columns' arrays have pointers of their own: gcc keeps
 // low and high in registers only if nothing else may be where they are.
-INLINED struct pair measure(const enum geometry geometry,
-                            struct space space, double x, double y,
-                            struct tile_columns *columns)
+INLINED struct pair_distances measure(const enum geometry geometry,
+                                      struct space space, double x,
+                                      double y,
+                                      struct tile_columns *columns)
 {
     const double *restrict xs = columns->x;
     const double *restrict ys = columns->y;
@@ -56,9 +57,9 @@ INLINED struct pair measure(const enum geometry geometry,
     for (int k = 0; k < SIDE; k += LANES)
 #pragma omp simd
         for (int lane = 0; lane < LANES; lane++) {
-            double dx = difference(xs[k + lane], x, one);
-            double dy = difference(ys[k + lane], y, one);
-            struct pair pair = pair2(geometry, space, dx, dy);
+            double dx = subtract_fused(xs[k + lane], x, one);
+            double dy = subtract_fused(ys[k + lane], y, one);
+            struct pair_distances pair = pair2(geometry, space, dx, dy);
             //> Improve both ends without a branch
             low[lane] = MIN(pair.near2, low[lane]);
             high[lane] = MAX(pair.far2, high[lane]);
@@ -72,7 +73,7 @@ INLINED struct pair measure(const enum geometry geometry,
             low[lane] = MIN(low[lane], low[lane + half]);
             high[lane] = MAX(high[lane], high[lane + half]);
         }
-    return (struct pair){low[0], high[0]};
+    return (struct pair_distances){low[0], high[0]};
     //<
 }
 //<
@@ -92,8 +93,8 @@ INLINED uint64_t tile(const enum geometry geometry,
     for (uint64_t i = top; i < top + SIDE && i < p.n; i++) {
         if (top == left) // compare only with the points after i
             columns.x[i - top] = NAN;
-        struct pair best = measure(geometry, question->space, p.x[i],
-                                   p.y[i], &columns);
+        struct pair_distances best = measure(geometry, question->space,
+                                             p.x[i], p.y[i], &columns);
         offer_atomic(&bests.near[i], best.near2, left / SIDE);
         offer_atomic(&bests.far[i], -best.far2, left / SIDE);
         pairs += right - (top == left ? i + 1 : left);

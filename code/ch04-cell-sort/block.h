@@ -13,13 +13,13 @@ struct interval {
     double low, high; // an empty one: INFINITY, -INFINITY
 };
 
-struct range {
+struct axis_range {
     uint32_t first, count; // its cells, counted on round the axis
     struct interval below, above; // what it lacks of the axis
 };
 
 struct block {
-    struct range x, y; // columns, rows
+    struct axis_range x, y; // columns, rows
 };
 //<
 
@@ -40,9 +40,9 @@ static inline struct interval interval_of(const struct axis *axis,
 //> Find the range around some cells
 // The cells from .. to and radius more on either side; all cells if
 // they are no more than these.
-static inline struct range axis_range(const struct axis *axis,
-                                      uint32_t from, uint32_t to,
-                                      uint32_t radius)
+static inline struct axis_range axis_range(const struct axis *axis,
+                                           uint32_t from, uint32_t to,
+                                           uint32_t radius)
 {
     const int64_t m = axis->count;
     int64_t first = (int64_t)from - radius;
@@ -56,7 +56,7 @@ static inline struct range axis_range(const struct axis *axis,
         first = 0, end = m;
     //<
     //> Name what the range lacks
-    return (struct range){
+    return (struct axis_range){
         first < 0 ? first + m : first, end - first,
         interval_of(axis, end > m ? end - m : 0, first),
         interval_of(axis, end, first < 0 ? first + m : m)};
@@ -67,7 +67,8 @@ static inline struct range axis_range(const struct axis *axis,
 //> Go on round the axis
 // Cell k of a range, 0 <= k < count.
 static inline uint32_t range_cell(const struct axis *axis,
-                                  const struct range *range, uint32_t k)
+                                  const struct axis_range *range,
+                                  uint32_t k)
 {
     uint32_t cell = range->first + k;
     return cell < axis->count ? cell : cell - axis->count;
@@ -96,7 +97,8 @@ static inline struct block block_of(const struct grid *grid, double x,
 
 //> Bound the separation from what lies outside
 static inline double range_margin(const struct axis *axis,
-                                  const struct range *range, double x)
+                                  const struct axis_range *range,
+                                  double x)
 {
     double direct = MIN(x - range->below.high, range->above.low - x);
     double around =

@@ -6,8 +6,8 @@
 // wraparound the widest range goes half way round to either side, and
 // has every cell once. See margin_ahead for what bounds a range.
 #pragma once
-#include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/block.h"
+#include "common/inlined.h"
 #include "common/min_max.h"
 
 //> Declare the range and the box of a search
@@ -54,7 +54,7 @@ INLINED double margin_ahead(const enum geometry geometry,
     int32_t end = (int32_t)cell + whole.ahead + 1;
     if (geometry == STANDARD)
         return axis->border[first] - x;
-    struct range outside = {
+    struct axis_range outside = {
         .above = interval_of(axis, first, MIN(end, m)),
         .below = interval_of(axis, MAX(first, m) - m, end - m)};
     return range_margin(axis, &outside, x);
@@ -71,7 +71,7 @@ INLINED double margin_back(const enum geometry geometry,
     int32_t first = (int32_t)cell - whole.back;
     if (geometry == STANDARD)
         return x - axis->border[end];
-    struct range outside = {
+    struct axis_range outside = {
         .below = interval_of(axis, MAX(first, 0), end),
         .above = interval_of(axis, first + m, MIN(end, 0) + m)};
     return range_margin(axis, &outside, x);

@@ -3,7 +3,7 @@
 // points sorted by cell, as indices. Threads share out the points; no
 // two write to the same place.
 #include "ch07-spiral/spiral.h"
-#include "ch07-spiral/two_phases.h"
+#include "ch07-spiral/spiral_search.h"
 #include <stddef.h>
 
 enum { POINTS_PER_CHUNK = 256 };

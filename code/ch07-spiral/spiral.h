@@ -1,6 +1,6 @@
 //> Declare the spiral search
 // The nearest neighbor of every point by a spiral search
-// (two_phases.h) through the points sorted by cell, as indices. The
+// (spiral_search.h) through the points sorted by cell, as indices. The
 // expected number of distances a point does not depend on n; of points
 // that are all in one cell, every pair is compared.
 #pragma once

@@ -77,7 +77,7 @@ static void gather_compared(const struct map *map, struct strip *strip)
     p->gather(strip->task_x, strip->x, task, n);
     p->gather(strip->task_y, strip->y, task, n);
     p->gather(strip->best, strip->best2, task, n);
-    p->gather32(strip->known, strip->nearest, task, n);
+    p->gather32(strip->gathered_nearest, strip->nearest, task, n);
 }
 //<
 
@@ -90,7 +90,7 @@ INLINED void keep_nearer(const enum geometry geometry,
     const double *x = strip->point_x, *y = strip->point_y;
     const double *task_x = strip->task_x, *task_y = strip->task_y;
     double *best = strip->best;
-    uint32_t *known = strip->known;
+    uint32_t *gathered_nearest = strip->gathered_nearest;
     //> Compare element by element
 #pragma omp simd
     for (uint32_t i = 0; i < n; i++) {
@@ -98,16 +98,17 @@ INLINED void keep_nearer(const enum geometry geometry,
                           y[i] - task_y[i])
                         .near2;
         bool self = at[i] == strip->first + task[i];
-        bool better = ((d2 < best[i]) |
-                       ((d2 == best[i]) & (point[i] < known[i]))) &
-                      !self;
+        bool better =
+            ((d2 < best[i]) |
+             ((d2 == best[i]) & (point[i] < gathered_nearest[i]))) &
+            !self;
         best[i] = better ? d2 : best[i];
-        known[i] = better ? point[i] : known[i];
+        gathered_nearest[i] = better ? point[i] : gathered_nearest[i];
     }
     //<
     const struct primitives *p = strip->primitives;
     p->scatter(strip->best2, best, task, n);
-    p->scatter32(strip->nearest, known, task, n);
+    p->scatter32(strip->nearest, gathered_nearest, task, n);
 }
 //<
 

@@ -1,6 +1,8 @@
 //> Fuse the loops
-// Each kernel is one pass over a list, in plain C and without branches:
-// what does not count is computed as well, and then not kept.
+// To enter a cell is one pass over a list of tasks, to compare a point
+// one over the visits, in plain C and without branches: what does not
+// count is computed as well, and then not kept. Nothing is written
+// between the steps of a pass, as it is by primitives.
 #include "ch08-vector-spiral/spiral_kernels.h"
 #include <assert.h>
 #include <stdlib.h>

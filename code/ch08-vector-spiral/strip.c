@@ -48,10 +48,10 @@ struct strip strip_allocate(const struct primitives *primitives,
     strip.task_y = cut(&room, sizeof(double));
     strip.best = cut(&room, sizeof(double));
     strip.nearest = cut(&room, sizeof(uint32_t));
-    strip.ended = cut(&room, sizeof(int32_t));
+    strip.phase_one_layer = cut(&room, sizeof(int32_t));
     strip.cell = cut(&room, sizeof(uint32_t));
     strip.point = cut(&room, sizeof(uint32_t));
-    strip.known = cut(&room, sizeof(uint32_t));
+    strip.gathered_nearest = cut(&room, sizeof(uint32_t));
     strip.here.task = cut(&room, sizeof(uint32_t));
     strip.here.at = cut(&room, sizeof(uint32_t));
     strip.here.end = cut(&room, sizeof(uint32_t));

@@ -6,7 +6,7 @@
 // Lists of task numbers say which tasks take part in a loop.
 #pragma once
 #include "ch06-pack-scan/primitives.h"
-#include "ch07-spiral/two_phases.h"
+#include "ch07-spiral/spiral_search.h"
 #include <stddef.h>
 
 //> List tasks and their search bounds
@@ -52,19 +52,19 @@ struct tally {
 
 //> Remember what a task must remember
 struct strip {
-    uint32_t first;     // task t is the search of point[first + t]
-    double *x, *y;      // its query
-    double *best2;      // squared distance to `nearest`
-    uint32_t *nearest;  // at first NO_INDEX
-    int32_t *ended;     // the layer in which its phase one did
-    struct tasks all;   // in order
-    struct tasks layer; // those that take part in a layer
-    struct visits here; // those at a cell
+    uint32_t first;    // task t is the search of point[first + t]
+    double *x, *y;     // its query
+    double *best2;     // squared distance to `nearest`
+    uint32_t *nearest; // at first NO_INDEX
+    int32_t *phase_one_layer; // in which phase one ended
+    struct tasks all;         // in order
+    struct tasks layer;       // those that take part in a layer
+    struct visits here;       // those at a cell
     struct tally tally;
     //> Leave room between the loops
     const struct primitives *primitives;
     uint8_t *keep;
-    uint32_t *cell, *point, *known;
+    uint32_t *cell, *point, *gathered_nearest;
     double *point_x, *point_y, *task_x, *task_y, *best;
     //<
 };

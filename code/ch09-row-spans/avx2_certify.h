@@ -13,7 +13,7 @@
 USE_AVX2
 INLINED __m256d four_margins(const enum geometry geometry,
                              const struct axis *axis,
-                             const struct range *range, __m256d x)
+                             const struct axis_range *range, __m256d x)
 {
     __m256d direct = _mm256_min_pd(
         _mm256_sub_pd(x, _mm256_set1_pd(range->below.high)),

@@ -94,7 +94,8 @@ struct batch_result {
 // Finds the best candidate of each query of a batch, and its distance
 // in double precision. Returns a bit for each lane: whether no other
 // point can be better, or as good. Reads BATCH sorted points from the
-// batch's first on; of the lanes beyond its width nothing is meant.
+// batch's first on; the bits and results of the lanes beyond its width
+// are not used.
 typedef uint32_t batch_kernel(const struct scene *scene,
                               const struct staging *staging,
                               const struct query_batch *batch,

@@ -7,8 +7,9 @@
 
 //> Compare with a row of the block
 // Which with wraparound may go over the seam, and is two spans then.
-void compare_row(const struct scene *scene, const struct range *range,
-                 uint32_t row, struct query *query)
+void compare_row(const struct scene *scene,
+                 const struct axis_range *range, uint32_t row,
+                 struct query *query)
 {
     const struct sorted *sorted = scene->sorted;
     const uint32_t columns = sorted->grid.x.count;

@@ -26,8 +26,9 @@ typedef void compare_function(const struct scene *scene, uint32_t begin,
 //<
 
 // Compares a query with one row of a block.
-void compare_row(const struct scene *scene, const struct range *range,
-                 uint32_t row, struct query *query);
+void compare_row(const struct scene *scene,
+                 const struct axis_range *range, uint32_t row,
+                 struct query *query);
 
 // Whether no point of the row can be as near as the nearest so far.
 bool prune_row(const struct scene *scene, uint32_t row,

@@ -182,10 +182,10 @@ static bool stage_row(const struct scene *scene,
 }
 //<
 
-//> Open the staging buffer
-bool staging_open(const struct scene *scene, uint32_t row,
-                  uint32_t begin, uint32_t width,
-                  struct staging *staging)
+//> Stage the candidates of some queries
+bool stage_candidates(const struct scene *scene, uint32_t row,
+                      uint32_t begin, uint32_t width,
+                      struct staging *staging)
 {
     const struct sorted *sorted = scene->sorted;
     const struct axis *across = &sorted->grid.x;
@@ -214,10 +214,10 @@ static uint32_t place_at(const struct staging *staging,
 }
 //<
 
-//> Point out the candidates of a batch
-void staging_point_out(const struct scene *scene,
-                       const struct staging *staging,
-                       struct query_batch *batch)
+//> Find the candidates of a batch
+void find_candidates(const struct scene *scene,
+                     const struct staging *staging,
+                     struct query_batch *batch)
 {
     const struct axis *across = &scene->sorted->grid.x;
     const double *x = scene->sorted->points.x + batch->begin;
@@ -230,7 +230,7 @@ void staging_point_out(const struct scene *scene,
     batch->block.x = axis_range(across, from, to, 1);
     batch->own =
         batch->begin + staging->row[1].shift[staging->first < 0];
-    //> Point out three spans
+    //> Find three spans
     for (uint32_t k = 0; k < ROWS; k++) {
         const struct staged_row *row = &staging->row[k];
         batch->from[k] = batch->to[k] = k * STAGED + PAD;

@@ -13,13 +13,13 @@ void staging_prepare(struct staging *staging, double max_reach);
 // 1, which are in this row of the grid. False if that cannot be: a row
 // has more than STAGED - 2 * PAD of them, or the coordinates do not fit
 // into single precision, or the block goes all the way round.
-bool staging_open(const struct scene *scene, uint32_t row,
-                  uint32_t begin, uint32_t width,
-                  struct staging *staging);
+bool stage_candidates(const struct scene *scene, uint32_t row,
+                      uint32_t begin, uint32_t width,
+                      struct staging *staging);
 
-// Points out the candidates of a batch, whose begin and width are set,
+// Finds the candidates of a batch, whose begin and width are set,
 // as are the rows of its block.
-void staging_point_out(const struct scene *scene,
-                       const struct staging *staging,
-                       struct query_batch *batch);
+void find_candidates(const struct scene *scene,
+                     const struct staging *staging,
+                     struct query_batch *batch);
 //<

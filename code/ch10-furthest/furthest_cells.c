@@ -1,9 +1,10 @@
 //> Search the cells from outside
 // Rows from the outside inward and in each its cells, for eight queries
 // that stand together or for one, by the batch search's chunks; then
-// order is restored. See outside.h for the search itself.
+// order is restored. See furthest_branch_and_bound.h for the search
+// itself.
 #include "ch10-furthest/furthest_cells.h"
-#include "ch10-furthest/outside.h"
+#include "ch10-furthest/furthest_branch_and_bound.h"
 #include <assert.h>
 
 //> Find the rows that have points

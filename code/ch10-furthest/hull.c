@@ -11,7 +11,9 @@
 #include <stdbool.h>
 
 //> Allow for a miss
-// Of a mean that is computed, as a share of the diagonal.
+// How far above or below a point its foot may lie, as a share of the
+// diagonal. With the rounding of the feet, far less, a mean that we
+// compute then misses its point by less than twice that, 2^-47.
 static const double MISS = 0x1p-48;
 //<
 
@@ -44,9 +46,10 @@ static uint32_t monotone_chain(const struct candidate *candidate,
 }
 //<
 
-//> Stand on a side
-// The point of the side from a to b right below or above p: how far
-// above p it is, and its own surplus. Of an upright side, the end.
+//> Find the foot on a side
+// The foot of p is the point of the side from a to b that is right
+// below or above p: its rise is how far above. If the side is upright,
+// it is a where end is 0, b where end is 1.
 struct foot {
     double rise, surplus;
 };
@@ -65,7 +68,8 @@ static struct foot foot_on(struct candidate a, struct candidate b,
 // 1, one of them is further than p from everywhere, in squared distance
 // by at least the surplus of p, the sum of w |v - p|^2. Here p lies
 // between a foot on the lower chain and one on the upper, each a mean
-// of two. If it misses both by rounding, one of them is near enough.
+// of two. If rounding has put it outside of both, the nearer foot
+// stands for it.
 static bool can_be_left_out(struct foot low, struct foot high,
                             double diagonal2)
 {

@@ -8,10 +8,10 @@
 #include "ch09-row-spans/row_spans.h"
 #include "ch09-row-spans/span_kernels.h"
 #include "ch10-furthest/candidate_search.h"
+#include "ch10-furthest/furthest_branch_and_bound.h"
 #include "ch10-furthest/furthest_cells.h"
 #include "ch10-furthest/furthest_kernels.h"
 #include "ch10-furthest/hull_candidates.h"
-#include "ch10-furthest/outside.h"
 
 //> Compare one query with some points
 static void compare_points(const struct far_scene *scene,

@@ -4,8 +4,9 @@
 // first pass over the points finds them, by stretches that vectors can
 // go through; a second one keeps what is not well inside.
 #include "ch10-furthest/octagon.h"
-#include "ch02-all-pairs/pair.h"
 #include "common/chunk.h"
+#include "common/geometry.h"
+#include "common/inlined.h"
 #include <math.h>
 
 // AXES directions an eighth of a turn apart, and their opposites.

@@ -149,8 +149,8 @@ static void choose_and_search(const struct question *question,
     workspace_release(question->workspace, mark);
     if (wanted.nearest || wanted.furthest)
         adaptive(question, &wanted);
-    if (question->by)
-        *question->by = even ? "near-and-far" : "adaptive";
+    if (question->algorithm_name)
+        *question->algorithm_name = even ? "near-and-far" : "adaptive";
 }
 
 void by_sample(const struct question *question, struct answers *answers)

@@ -6,8 +6,8 @@
 #include "ch04-cell-sort/sorted.h"
 #include <stdbool.h>
 
-// The row of the table: near-and-far or adaptive; question->by says
-// which.
+// The row of the table: near-and-far or adaptive, as
+// question->algorithm_name then says.
 search_function by_sample;
 
 // How many times as dense, on average, the points around a point are as

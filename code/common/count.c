@@ -18,5 +18,6 @@ void counts_add(struct counts *total, const struct counts *mine)
     add(&total->cells, mine->cells);
     add(&total->tasks, mine->tasks);
     add(&total->collisions, mine->collisions);
+    add(&total->exact, mine->exact);
 }
 //<

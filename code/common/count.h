@@ -8,6 +8,7 @@
 
 struct counts {
     uint64_t distances, cells, tasks, collisions;
+    uint64_t exact; // queries that a batch left to an exact search
 };
 
 // Adds what one thread has counted to a total that all threads share.

@@ -32,7 +32,8 @@ uint32_t parameter(struct experiment *experiment, const char *name,
     return (uint32_t)number;
 }
 
-void columns(const struct experiment *experiment, const char *names)
+void print_header(const struct experiment *experiment,
+                  const char *names)
 {
     static const char *const endings[] = {"", "_q1", "_q3", "_min",
                                           "_max"};

@@ -14,7 +14,7 @@
 //             search_trial(naive, &question, answers),
 //             search_trial(tiles, &question, answers)};
 //         time_in_turn(trials, versions, 2);
-//         columns(&e, "name n naive_ns:3 tiles_ns:3");
+//         print_header(&e, "name n naive_ns:3 tiles_ns:3");
 //         row_of_times(versions, 2, n, "points_%u\t%u", n, n);
 //     }
 //
@@ -59,7 +59,8 @@ uint32_t parameter(struct experiment *experiment, const char *name,
 // median and quartiles: NAME, NAME_q1 and NAME_q3; NAME:5 for NAME_min
 // and NAME_max as well. Fails if there are more arguments than
 // parameters.
-void columns(const struct experiment *experiment, const char *names);
+void print_header(const struct experiment *experiment,
+                  const char *names);
 
 // Prints a row, or its beginning; tabs between the cells are the
 // caller's. In its first word, - becomes _: two-clusters is

@@ -16,8 +16,8 @@ struct question {
     struct counts *counts; // what is done is added; NULL: not wanted
     struct workspace *workspace; // the caller's; NULL: a temporary one
     int64_t *built_ns; // when what is searched was built; or NULL
-    const char **by;   // which row was chosen, if one chose; or NULL
-    const struct extent *box; // of x and of y, if known; or NULL
+    const char **algorithm_name; // set if a row chose one; or NULL
+    const struct extent *box;    // of x and of y, if known; or NULL
 };
 //<
 

@@ -173,7 +173,7 @@ int main(int argc, char **argv)
 {
     fail_as("contact");
     insist_on_output();
-    let_waiting_threads_sleep(argv);
+    reexec_with_passive_wait(argv);
     const struct options options = parse_contact_options(argc, argv);
     int status = 0;
     if (options.help)

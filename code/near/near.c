@@ -24,9 +24,9 @@
 struct plan {
     const struct algorithm *algorithms[2];
     int count;
-    unsigned answers;     // that they give together
-    struct summary ns[2]; // how long each took
-    const char *by[2];    // what it was called
+    unsigned answers;              // that they give together
+    struct summary ns[2];          // how long each took
+    const char *algorithm_name[2]; // what each was called
 };
 
 static struct plan make_plan(const struct options *options)
@@ -79,9 +79,9 @@ static struct summary answer(const struct algorithm *algorithm,
         if (options->timing)
             printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64
                    "\n",
-                   *question->by, question->points.n, question->threads,
-                   build, times[trial] - build, times[trial],
-                   counts.distances);
+                   *question->algorithm_name, question->points.n,
+                   question->threads, build, times[trial] - build,
+                   times[trial], counts.distances);
     }
     struct summary summary = summarize(times, options->trials);
     free(times);
@@ -124,8 +124,8 @@ static void print_times(const struct plan *plan, int threads)
 {
     for (int k = 0; k < plan->count; k++)
         printf("time      %.3g s, %s, at most %d thread%s\n",
-               1e-9 * plan->ns[k].median, plan->by[k], threads,
-               threads > 1 ? "s" : "");
+               1e-9 * plan->ns[k].median, plan->algorithm_name[k],
+               threads, threads > 1 ? "s" : "");
 }
 
 static int near(const struct options *options)
@@ -143,8 +143,8 @@ static int near(const struct options *options)
         puts("algorithm\tn\tthreads\tbuild_ns\tquery_ns\ttotal_ns\t"
              "distances");
     for (int k = 0; k < plan.count; k++) {
-        plan.by[k] = plan.algorithms[k]->name;
-        question.by = &plan.by[k];
+        plan.algorithm_name[k] = plan.algorithms[k]->name;
+        question.algorithm_name = &plan.algorithm_name[k];
         plan.ns[k] =
             answer(plan.algorithms[k], options, &question, &answers);
     }
@@ -158,7 +158,7 @@ static int near(const struct options *options)
         write_abandon(); // wrong answers are not worth a file
     }
     if (!options->output && !options->timing) {
-        print_distances(options, &question, &answers);
+        print_summary(options, &question, &answers);
         print_times(&plan, question.threads);
     }
     workspace_free(&workspace);
@@ -171,7 +171,7 @@ int main(int argc, char **argv)
 {
     fail_as("near");
     insist_on_output();
-    let_waiting_threads_sleep(argv);
+    reexec_with_passive_wait(argv);
     struct options options = parse_options(argc, argv);
     int status = 0;
     if (options.help)

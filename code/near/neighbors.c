@@ -37,7 +37,7 @@ struct job {
     bool over, under;
     uint32_t wrong, first_wrong;
     double build_ns, query_ns;
-    const char *by;
+    const char *algorithm_name;
 };
 
 static uint64_t length_of(const struct job *job, uint32_t i)
@@ -137,7 +137,7 @@ static void run_trial(struct job *job, bool first)
         plane_index_make(&job->question, workspace);
     job->build_ns = clock_ns() - begin;
     job->query_ns = 0;
-    job->by = index.is_even ? "one-grid" : "pieces";
+    job->algorithm_name = index.is_even ? "one-grid" : "pieces";
     if (!job->each)
         count_all(job, &index, first, &counts);
     if (first && options->output)
@@ -151,8 +151,8 @@ static void run_trial(struct job *job, bool first)
     workspace_release(workspace, mark);
     if (options->timing)
         printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64 "\n",
-               job->by, job->question.points.n, job->question.threads,
-               job->build_ns, job->query_ns,
+               job->algorithm_name, job->question.points.n,
+               job->question.threads, job->build_ns, job->query_ns,
                job->build_ns + job->query_ns, counts.distances);
 }
 
@@ -173,11 +173,11 @@ static void report_check(const struct job *job)
         fprintf(out, "check: all %" PRIu32 " %s are right\n", n, what);
 }
 
-static void print_summary(const struct job *job, double ns)
+static void summarize_lists(const struct job *job, double ns)
 {
     const double n = job->question.points.n;
     const int threads = job->question.threads;
-    print_distances(job->options, &job->question, &(struct answers){0});
+    print_summary(job->options, &job->question, &(struct answers){0});
     if (job->each)
         printf("neighbors %" PRIu32 " each, the last at %.7g on "
                "average\n",
@@ -186,7 +186,7 @@ static void print_summary(const struct job *job, double ns)
         printf("neighbors %.7g on average within %.7g\n",
                job->found / n, job->options->distance);
     printf("time      %.3g s, %s, at most %d thread%s\n", 1e-9 * ns,
-           job->by, threads, threads > 1 ? "s" : "");
+           job->algorithm_name, threads, threads > 1 ? "s" : "");
 }
 
 static void run_trials(struct job *job)
@@ -208,7 +208,7 @@ static void run_trials(struct job *job)
     if (options->check)
         report_check(job);
     if (!options->output && !options->timing)
-        print_summary(job, summary.median);
+        summarize_lists(job, summary.median);
 }
 
 int answer_neighbors(const struct options *options)

@@ -51,9 +51,9 @@ static void summarize_distances(const char *kind,
     printf("%-9s %.7g on average\n", kind, sum / n);
 }
 
-void print_distances(const struct options *options,
-                     const struct question *question,
-                     const struct answers *answers)
+void print_summary(const struct options *options,
+                   const struct question *question,
+                   const struct answers *answers)
 {
     uint32_t n = question->points.n;
     printf("points    %" PRIu32 " %s%s\n", n,

@@ -11,9 +11,9 @@ void warn_of_range(const struct question *question,
 
 // Prints how many points there are, in which geometry, and the mean of
 // each kind of distance that was asked for.
-void print_distances(const struct options *options,
-                     const struct question *question,
-                     const struct answers *answers);
+void print_summary(const struct options *options,
+                   const struct question *question,
+                   const struct answers *answers);
 
 // Whether the closest images of two points are in different places.
 bool are_apart(const struct question *question, uint32_t i, uint32_t j);

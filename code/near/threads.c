@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-void let_waiting_threads_sleep(char **argv)
+void reexec_with_passive_wait(char **argv)
 {
     if (getenv("OMP_WAIT_POLICY"))
         return;

@@ -11,7 +11,7 @@ enum { MAX_THREADS = 1024 }; // that can be asked for
 // longer than many a wait. The OpenMP library reads what it is to do
 // before main begins. Returns where that is settled already, or cannot
 // be had. To be called first.
-void let_waiting_threads_sleep(char **argv);
+void reexec_with_passive_wait(char **argv);
 
 // How many to use for n points, at least one, if so many are wanted, or
 // 0 if that was left open. Fails where the system does not start them.

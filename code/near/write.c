@@ -1,5 +1,7 @@
-// There is one such file in a run of near, and what
-// cleans up after a failure must be able to find it: hence the state.
+// Writes to a new file beside the old one, which is renamed when all of
+// it is on the disk, or removed if the program ends before. There is
+// one such file in a run of near, and what cleans up after a failure
+// must be able to find it: hence the state.
 #include "near/write.h"
 #include "common/fail.h"
 #include <errno.h>
@@ -116,7 +118,7 @@ void write_bytes(const char *bytes, size_t count)
 
 // The new file is on the disk before it takes the place of an old one:
 // a machine that stops has one of them.
-static bool settle(void)
+static bool commit(void)
 {
     if (fflush(out) != 0 || (*partial && fsync(fileno(out)) != 0))
         return false;
@@ -126,7 +128,7 @@ static bool settle(void)
 
 void write_close(void)
 {
-    if (!failure && !settle())
+    if (!failure && !commit())
         failure = errno;
     if (failure)
         fail("cannot write %s: %s", target, strerror(failure));

@@ -176,7 +176,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "BOXES", 10000, 100, 10000000);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
-    columns(&e, "name program kind n pairs first mean ns:3");
+    print_header(&e, "name program kind n pairs first mean ns:3");
     for (int whole = 0; whole < 2; whole++) {
         const uint32_t boxes = whole ? n / 4 : n; // made of many each
         run_all(boxes, whole, trials, false);

@@ -35,7 +35,7 @@ void print_head(const struct experiment *experiment)
         printf("%s %s %s", k ? "," : "", peers[k]->name,
                peers[k]->version);
     printf("\n# flags of the libraries: %s\n", PEER_FLAGS);
-    columns(experiment, result_columns);
+    print_header(experiment, result_columns);
 }
 
 static void show_progress(const struct entry *entry)

@@ -202,8 +202,8 @@ int main(int argc, char **argv)
     const uint32_t n = parameter(&e, "POINTS", 10000, 100, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     const bool scipy = scipy_is_there();
-    columns(&e, "name program kind d n build:3 nearest:3 within:3 "
-                "boxes:3");
+    print_header(&e, "name program kind d n build:3 nearest:3 within:3 "
+                     "boxes:3");
     for (int d = 2; d <= 3; d++)
         for (int kind = 0; kind < COUNT_OF(kinds); kind++) {
             struct range_scene scene =

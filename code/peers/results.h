@@ -4,7 +4,7 @@
 #pragma once
 #include "peers/contest.h"
 
-extern const char result_columns[]; // as columns() wants them
+extern const char result_columns[]; // as print_header() wants them
 
 // Which program, on how many points, of which kind, in which order, and
 // with leaves of which size.

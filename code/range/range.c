@@ -149,7 +149,7 @@ int main(int argc, char **argv)
 {
     fail_as("range");
     insist_on_output();
-    let_waiting_threads_sleep(argv);
+    reexec_with_passive_wait(argv);
     struct options options = parse_range_options(argc, argv);
     int status = 0;
     if (options.help)

@@ -3,8 +3,8 @@
 #include "ch04-cell-sort/sorted.h"
 #include "ch04-cell-sort/visit.h"
 #include "ch06-pack-scan/primitives.h"
-#include "ch07-spiral/two_phases.h"
-#include "ch10-furthest/border.h"
+#include "ch07-spiral/spiral_search.h"
+#include "ch10-furthest/coursework_furthest.h"
 #include "web/page.h"
 #include <stddef.h>
 

@@ -367,7 +367,7 @@ static void ask_for_less(void *text)
 {
     char *argv[] = {"climb", text};
     struct experiment e = {2, 1, argv};
-    columns(&e, "name ns:3");
+    print_header(&e, "name ns:3");
 }
 
 static void bad_arguments_are_refused(void)

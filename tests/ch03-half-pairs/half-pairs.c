@@ -16,7 +16,7 @@ static const struct {
     search_function *run;
 } versions[] = {
     {"triangle", triangle},
-    {"queue", triangle_queue},
+    {"queue", triangle_locked},
     {"critical", triangle_critical},
     {"atomic", triangle_atomic},
     {"reduction", triangle_reduction},
@@ -63,7 +63,7 @@ static void check_versions(struct points points, struct space space,
     struct answers found = answers_allocate(points.n);
     for (int threads = 1; threads <= 4; threads *= 2)
         for (int v = 0; v < VERSIONS; v++) {
-            if (versions[v].run == triangle_queue && points.n > 100)
+            if (versions[v].run == triangle_locked && points.n > 100)
                 continue; // four queues a pair take their time
             question.threads = threads;
             versions[v].run(&question, &found);
@@ -239,7 +239,7 @@ static void one_row(void)
 static void offers(void)
 {
     void (*const offer[])(struct best *, double, uint32_t) = {
-        offer_queue, offer_critical, offer_atomic};
+        offer_locked, offer_critical, offer_atomic};
     const char *names[] = {"queue", "critical", "atomic"};
     for (int way = 0; way < 3; way++) {
         struct bests bests = bests_begin(1);

@@ -234,8 +234,8 @@ static void numbers_on_a_line(void)
 }
 
 // ---- the block -----------------------------------------------------
-static bool in_reach(const struct axis *axis, const struct range *reach,
-                     uint32_t cell)
+static bool in_reach(const struct axis *axis,
+                     const struct axis_range *reach, uint32_t cell)
 {
     int times = 0;
     for (uint32_t k = 0; k < reach->count; k++)

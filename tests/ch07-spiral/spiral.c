@@ -1,11 +1,11 @@
-// Spirals: ranges have every cell once and leave out none that matters; the
-// search against the plainest there is, for any number of points to a
-// cell; and as many distances as were expected.
+// Spirals: ranges have every cell once and leave out none that matters;
+// the search against the plainest there is, for any number of points to
+// a cell; and as many distances as were expected.
 #include "ch07-spiral/spiral.h"
 #include "algorithms.h"
 #include "ch07-spiral/experiments/census.h"
 #include "ch07-spiral/experiments/expected.h"
-#include "ch07-spiral/two_phases.h"
+#include "ch07-spiral/spiral_search.h"
 #include "common/fail.h"
 #include "common/generate.h"
 #include "common/random.h"
@@ -119,7 +119,7 @@ static void squares_are_closed(void)
 enum { MOST_CELLS = 4096 };
 
 struct recorder {
-    struct spiral_query query; // first, to be found from it
+    struct spiral_query query; // first: a pointer to it is one to all
     int count;
     uint32_t cell[MOST_CELLS];
 };

@@ -2,7 +2,7 @@
 // is: the same answers to the last bit and the lowest index, for strips
 // of any length, any number of threads and in both geometries.
 #pragma once
-#include "ch08-vector-spiral/advance.h"
+#include "ch08-vector-spiral/lockstep.h"
 #include "common/generate.h"
 #include "harness.h"
 #include <stdio.h>
@@ -20,7 +20,7 @@ static void check_strip(const struct question *question, double c,
     memset(found.nearest, 0xA5, n * sizeof *found.nearest);
     memset(found.nearest2, 0xA5, n * sizeof *found.nearest2);
     struct strip_plan plan = {.kernels = kernels, .length = length};
-    advance_tasks(question, &grid, &cells, &plan, &found);
+    search_in_lockstep(question, &grid, &cells, &plan, &found);
     for (uint32_t i = 0; i < n; i++)
         if (!CHECK_DOUBLE(right->nearest2[i], found.nearest2[i],
                           "%s, %u points, c %g, geometry %d, strips of "

@@ -70,7 +70,7 @@ static struct tally tally_of(const struct question *question, double c,
     struct cells cells = cells_sort(&grid, question->points);
     struct tally tally;
     struct strip_plan plan = {kernels, length, &tally};
-    advance_tasks(question, &grid, &cells, &plan, &answers);
+    search_in_lockstep(question, &grid, &cells, &plan, &answers);
     cells_free(&cells);
     grid_free(&grid);
     answers_free(&answers);

@@ -112,7 +112,7 @@ static void counts_as_expected(void)
     const double c = POINTS_PER_SPAN_CELL;
     struct counts counts = count_uniform(n, 2);
     test_seed(4);
-    CHECK_NEAR(expected_exact(c), (double)counts.tasks / n,
+    CHECK_NEAR(expected_exact(c), (double)counts.exact / n,
                0.06 * expected_exact(c), "exact queries");
     CHECK_NEAR(expected_candidates(c), (double)counts.distances / n,
                0.02 * expected_candidates(c), "distances a point");
@@ -123,7 +123,7 @@ static void counts_of_any_threads(void)
     struct counts one = count_uniform(50000, 1);
     for (int threads = 2; threads <= 4; threads++) {
         struct counts counts = count_uniform(50000, threads);
-        CHECK_INT((long long)one.tasks, (long long)counts.tasks,
+        CHECK_INT((long long)one.exact, (long long)counts.exact,
                   "exact queries, %d threads", threads);
         CHECK_INT((long long)one.distances, (long long)counts.distances,
                   "distances, %d threads", threads);
@@ -140,7 +140,7 @@ static void ties_are_answered_exactly(void)
     struct answers answers = answers_allocate(1024);
     struct counts counts = count_operations(find_algorithm("row-spans"),
                                             &question, &answers);
-    CHECK_INT(1024, (long long)counts.tasks, "exact queries");
+    CHECK_INT(1024, (long long)counts.exact, "exact queries");
     answers_free(&answers);
     points_free(&points);
 }
@@ -242,7 +242,7 @@ static void pads_are_far(void)
         staging = (struct staging){0};
         staging_prepare(&staging, INFINITY);
         if (axis_cell(up, y[s + BATCH - 1]) == row &&
-            staging_open(&scene, row, s, BATCH, &staging)) {
+            stage_candidates(&scene, row, s, BATCH, &staging)) {
             check_pads(&staging, s);
             opened++;
         }

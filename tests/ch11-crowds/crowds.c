@@ -617,11 +617,11 @@ static const char *choice(struct points points, unsigned answered)
 {
     struct question question = question_of(points, STANDARD, 1);
     struct answers found = answers_for(points.n, answered);
-    const char *by = "none";
-    question.by = &by;
+    const char *name = "none";
+    question.algorithm_name = &name;
     by_sample(&question, &found);
     answers_free(&found);
-    return by;
+    return name;
 }
 
 static void even_points_get_a_grid(void)

@@ -248,7 +248,7 @@ static void table(void)
     FILE *kept = stdout;
     stdout = open_memstream(&text, &size);
     char *arguments[] = {"compare"};
-    columns(&(struct experiment){1, 1, arguments}, result_columns);
+    print_header(&(struct experiment){1, 1, arguments}, result_columns);
     struct entry ran = {"row-spans", "uniform", "coming", 100, 8};
     struct result result = {.trials = 3, .threaded = true};
     result.one.total = (struct summary){1, 200, 300, 400, 5};

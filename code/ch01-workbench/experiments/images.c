@@ -10,7 +10,7 @@ int main(int argc, char **argv)
     const int steps = 100;
     const struct space plain = {STANDARD, 1, 1};
     const struct space wrapped = {WRAPAROUND, 1, 1};
-    columns(&e, "x y standard closest furthest");
+    print_header(&e, "x y standard closest furthest");
     for (int row = 0; row <= steps; row++, putchar('\n'))
         for (int column = 0; column <= steps; column++) {
             double px = (double)column / steps;

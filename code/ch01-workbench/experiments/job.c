@@ -95,6 +95,13 @@ static struct job make_job(const char *folder, const char *name,
     return job;
 }
 
+static void list_parts(struct job *job, struct trial parts[static 3])
+{
+    parts[0] = (struct trial){read_part, job};
+    parts[1] = (struct trial){answer_part, job};
+    parts[2] = (struct trial){write_part, job};
+}
+
 static void end_job(struct job *job)
 {
     unlink(job->input);
@@ -119,12 +126,10 @@ int main(int argc, char **argv)
     for (int k = 0; k < 2 * KINDS; k++) {
         jobs[k] = make_job(folder, names[k], points,
                            k % 2 ? omp_get_max_threads() : 1);
-        parts[3 * k] = (struct trial){read_part, &jobs[k]};
-        parts[3 * k + 1] = (struct trial){answer_part, &jobs[k]};
-        parts[3 * k + 2] = (struct trial){write_part, &jobs[k]};
+        list_parts(&jobs[k], &parts[3 * k]);
     }
     time_in_turn(trials, parts, 6 * KINDS);
-    columns(&e, "name threads read_ns:3 answer_ns:3 write_ns:3");
+    print_header(&e, "name threads read_ns:3 answer_ns:3 write_ns:3");
     for (int k = 0; k < 2 * KINDS; k++)
         row_of_times(&parts[3 * k], 3, n, "%s\t%d", jobs[k].name,
                      jobs[k].question.threads);

@@ -100,7 +100,7 @@ int main(int argc, char **argv)
     time_in_turn(trials, versions, 4);
 
     const size_t array = 2 * sizeof(double);
-    columns(&e, "name bytes ns:3");
+    print_header(&e, "name bytes ns:3");
     row_of_times(&versions[0], 1, n, "records\t%zu",
                  sizeof(struct record));
     row_of_times(&versions[1], 1, n, "pairs\t%zu",

@@ -6,7 +6,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 500, 1, MANY);
-    columns(&e, "distribution x y");
+    print_header(&e, "distribution x y");
     for (int d = 0; d < distribution_count; d++) {
         struct points points = generate(&distributions[d], n, 1);
         for (uint32_t i = 0; i < n; i++)

@@ -36,7 +36,7 @@ int main(int argc, char **argv)
             contracted += contracted2(dx, dy) != d2;
             blind += root_is_blind(d2);
         }
-    columns(&e, "name pairs");
+    print_header(&e, "name pairs");
     row("all\t%ju", (uintmax_t)all);
     row("contracted\t%ju", (uintmax_t)contracted);
     row("blind\t%ju", (uintmax_t)blind);

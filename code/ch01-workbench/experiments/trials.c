@@ -63,7 +63,7 @@ int main(int argc, char **argv)
     (void)answer;
     //<
 
-    columns(&e, "name trial ns");
+    print_header(&e, "name trial ns");
     for (int trial = 0; trial < trials; trial++)
         row("trial\t%d\t%.0f", trial + 1, times[trial]);
     print_summary(times, trials);

@@ -34,7 +34,7 @@ int main(int argc, char **argv)
             (struct trial){.work = run_blocked, .context = &sizes[s]};
     }
     time_in_turn(trials, versions, SIZES);
-    columns(&e, "name block ns:3");
+    print_header(&e, "name block ns:3");
     for (int s = 0; s < SIZES; s++)
         row_of_times(&versions[s], 1, (double)rows * (n - 1),
                      "block_%u\t%u", sizes[s].block, sizes[s].block);

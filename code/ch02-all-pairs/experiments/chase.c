@@ -68,7 +68,7 @@ int main(int argc, char **argv)
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     char *memory = small_pages((uint64_t)most * PAGE + PAGE);
     uint32_t *order = take(most, sizeof *order);
-    columns(&e, "name lines kilobytes packed:3 apart:3");
+    print_header(&e, "name lines kilobytes packed:3 apart:3");
     for (uint32_t lines = 64; lines <= most; lines *= 2) {
         row_begin("lines_%u\t%u\t%u", lines, lines, lines / 16);
         for (int apart = 0; apart < 2; apart++) {

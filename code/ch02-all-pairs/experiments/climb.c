@@ -51,7 +51,7 @@ int main(int argc, char **argv)
     }
     peak_versions(versions + climbed);
     time_in_turn(trials, versions, climbed + PEAKS);
-    columns(&e, "name standard:3 wraparound:3");
+    print_header(&e, "name standard:3 wraparound:3");
     for (int v = 0; v < climbed; v += 2)
         row_of_times(&versions[v], 2, (double)rows * (n - 1), "%s",
                      steps[v / 2].name);

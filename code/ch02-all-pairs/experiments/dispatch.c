@@ -29,7 +29,8 @@ int main(int argc, char **argv)
             rows_trial(ways[v / GEOMETRIES], &question, answers, rows);
     }
     time_in_turn(trials, versions, ALL);
-    columns(&e, "name standard:3 wraparound:3 lanes:3 wrap_lanes:3");
+    print_header(&e,
+                 "name standard:3 wraparound:3 lanes:3 wrap_lanes:3");
     for (int w = 0; w < WAYS; w++)
         row_of_times(&versions[w * EACH], EACH, (double)rows * n, "%s",
                      names[w]);

@@ -107,11 +107,12 @@ int main(int argc, char **argv)
     c.low[3] = sqrt(2) - 1.4 * scale;
     for (int set = 0; set < sets; set++)
         collect(&c, n, set, sets);
-    columns(&e, means ? "name mean spread"
-                      : "nearest_standard_at nearest_standard"
-                        " furthest_standard_at furthest_standard"
-                        " nearest_wraparound_at nearest_wraparound"
-                        " furthest_wraparound_at furthest_wraparound");
+    print_header(&e,
+                 means ? "name mean spread"
+                       : "nearest_standard_at nearest_standard"
+                         " furthest_standard_at furthest_standard"
+                         " nearest_wraparound_at nearest_wraparound"
+                         " furthest_wraparound_at furthest_wraparound");
     if (means)
         print_means(&c, sets);
     else

@@ -23,7 +23,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 12800, 100, MANY);
-    columns(&e, "name n bounded wrapped");
+    print_header(&e, "name n bounded wrapped");
     for (uint32_t n = 100; n <= most; n *= 2) {
         double bounded = 0, wrapped = 0;
         const int sets = 2 * most / n;

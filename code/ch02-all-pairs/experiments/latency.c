@@ -78,7 +78,7 @@ int main(int argc, char **argv)
     time_in_turn(trials, versions, CHAINS + 1);
     double cycle =
         versions[CHAINS].summary.median / peak_operations(CYCLE);
-    columns(&e, "name cycles:3");
+    print_header(&e, "name cycles:3");
     for (int c = 0; c < CHAINS; c++)
         row_of_times(&versions[c], 1, STEPS * cycle, "%s",
                      chains[c].name);

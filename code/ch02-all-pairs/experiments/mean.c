@@ -87,7 +87,7 @@ int main(int argc, char **argv)
     }
     time_in_turn(trials, versions, WAYS);
     double exact = careful_mean(answers->nearest2, n);
-    columns(&e, "name ns:3 error");
+    print_header(&e, "name ns:3 error");
     for (int w = 0; w < WAYS; w++) {
         row_begin("%s", ways[w].name);
         row_times(&versions[w].summary, n);

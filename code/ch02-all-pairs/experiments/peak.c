@@ -2,8 +2,8 @@
 // sum or product waits only for itself, and a minimum for its neighbor
 // as well, but both began at least half a round before.
 #include "ch02-all-pairs/experiments/peak.h"
-#include "ch02-all-pairs/difference.h"
-#include "ch02-all-pairs/pair.h"
+#include "ch02-all-pairs/subtract_fused.h"
+#include "common/inlined.h"
 
 enum { WIDE = 8, ROUNDS = 100000 };
 
@@ -22,7 +22,7 @@ INLINED double operate(const char operation, double a, double b,
     case '<':
         return b < a ? b : a;
     default:
-        return difference(a, one, one);
+        return subtract_fused(a, one, one);
     }
 }
 

@@ -28,7 +28,7 @@ static void hidden(const struct question *question,
                    struct answers *answers, uint32_t begin,
                    uint32_t end)
 {
-    first_search(question, answers, measure_hidden, begin, end);
+    first_search(question, answers, measure_pow_variable, begin, end);
 }
 
 int main(int argc, char **argv)
@@ -44,7 +44,7 @@ int main(int argc, char **argv)
         rows_trial(hidden, &question, answers, n)};
     const char *names[] = {"multiply", "pow", "hidden"};
     time_in_turn(trials, versions, 3);
-    columns(&e, "name ns:3");
+    print_header(&e, "name ns:3");
     for (int v = 0; v < 3; v++)
         row_of_times(&versions[v], 1, (double)n * (n - 1), "%s_%s",
                      names[v], LEVEL);

@@ -9,7 +9,7 @@ int main(int argc, char **argv)
     struct trial versions[PEAKS];
     peak_versions(versions);
     time_in_turn(trials, versions, PEAKS);
-    columns(&e, "name ns:3");
+    print_header(&e, "name ns:3");
     for (int peak = 0; peak < PEAKS; peak++)
         row_of_times(&versions[peak], 1, peak_operations(peak), "%s",
                      peak_names[peak]);

@@ -12,7 +12,8 @@ int main(int argc, char **argv)
     uint32_t most = parameter(&e, "MOST", 1 << 17, 512, MANY);
     double pairs = parameter(&e, "PAIRS", 8000000, 1, MANY);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
-    columns(&e, "name n kilobytes lanes_ns:3 queries_ns:3 tiles_ns:3");
+    print_header(&e,
+                 "name n kilobytes lanes_ns:3 queries_ns:3 tiles_ns:3");
     for (uint32_t n = 512; n <= most; n *= 2) {
         struct question question = uniform_question(STANDARD, n, 1);
         struct answers *answers = new_answers(n, BOTH);

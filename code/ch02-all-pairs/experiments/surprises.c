@@ -21,7 +21,7 @@ int main(int argc, char **argv)
         rows_trial(blocks_rows, &whole, answers, rows),
         rows_trial(blocks_rows, &quarter, answers, rows)};
     time_in_turn(trials, versions, 4);
-    columns(&e, "name whole:3 quarter:3");
+    print_header(&e, "name whole:3 quarter:3");
     const double pairs = (double)rows * (n - 1);
     row_of_times(&versions[0], 2, pairs, "split");
     row_of_times(&versions[2], 2, pairs, "blocks");

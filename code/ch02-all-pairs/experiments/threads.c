@@ -32,7 +32,7 @@ int main(int argc, char **argv)
         versions[2 * k + 1] = search_trial(tiles, &question, answers);
     }
     time_in_turn(trials, versions, 2 * count);
-    columns(&e, "name threads points naive_ns:3 tiles_ns:3");
+    print_header(&e, "name threads points naive_ns:3 tiles_ns:3");
     for (int k = 0; k < count; k++) {
         char name[20];
         sprintf(name, "threads_%d", threads[k]);

@@ -46,7 +46,7 @@ int main(int argc, char **argv)
             (struct trial){.work = count_up, .context = &apart[d]};
     }
     time_in_turn(trials, turns, DISTANCES);
-    columns(&e, "name bytes ns:3");
+    print_header(&e, "name bytes ns:3");
     for (int d = 0; d < DISTANCES; d++)
         row_of_times(&turns[d], 1, steps, "apart_%d\t%d", 8 << d,
                      8 << d);

@@ -8,7 +8,7 @@
 
 static const struct version guards[] = {
     {"none", triangle, triangle}, // knows nothing of threads
-    {"queue", triangle_queue, triangle_queue},
+    {"queue", triangle_locked, triangle_locked},
     {"critical", triangle_critical, triangle_critical},
     {"atomic", triangle_atomic, triangle_atomic},
     {"reduction", triangle_reduction, triangle_reduction},
@@ -20,6 +20,6 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 1000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    columns(&e, "name n threads one_ns:3 all_ns:3");
+    print_header(&e, "name n threads one_ns:3 all_ns:3");
     compare(&question, trials, guards, COUNT_OF(guards), "");
 }

@@ -34,7 +34,7 @@ int main(int argc, char **argv)
         omp_set_schedule(omp_sched_static, chunks[kind]);
         weigh(n, threads, pairs + kind * threads);
     }
-    columns(&e, "name thread blocks quarters singles");
+    print_header(&e, "name thread blocks quarters singles");
     double all = n * (n - 1.0) / 2;
     for (int t = 0; t < threads; t++)
         row("thread_%d\t%d\t%.4f\t%.4f\t%.4f", t + 1, t + 1,

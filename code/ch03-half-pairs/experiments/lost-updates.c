@@ -70,7 +70,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     int runs = parameter(&e, "RUNS", 100, 1, MANY);
     uint32_t largest = parameter(&e, "LARGEST", 2000, 125, MANY);
-    columns(&e, "name n runs bad_runs mean_wrong wrong:3 wrong_most");
+    print_header(&e,
+                 "name n runs bad_runs mean_wrong wrong:3 wrong_most");
     for (uint32_t n = 125; n <= largest; n *= 2) {
         struct question question = uniform_question(STANDARD, n, 1);
         race("uniform", question, runs);

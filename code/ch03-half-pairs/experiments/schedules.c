@@ -50,7 +50,7 @@ int main(int argc, char **argv)
         sprintf(s->name, "%s_%d", kinds[k / CHUNKS].name, s->chunk);
     }
     time_in_turn(trials, turns, SCHEDULES);
-    columns(&e, "name n threads chunk ns:3");
+    print_header(&e, "name n threads chunk ns:3");
     for (int k = 0; k < SCHEDULES; k++)
         row_of_times(&turns[k], 1, n * (n - 1.0), "%s\t%u\t%d\t%d",
                      schedules[k].name, n, question.threads,

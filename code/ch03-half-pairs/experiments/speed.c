@@ -24,7 +24,7 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 3000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
     struct question question = uniform_question(STANDARD, n, 1);
-    columns(&e, "name n threads serial_ns:3 parallel_ns:3");
+    print_header(&e, "name n threads serial_ns:3 parallel_ns:3");
     compare(&question, trials, versions, COUNT_OF(versions),
             "standard_");
     question.space.geometry = WRAPAROUND;

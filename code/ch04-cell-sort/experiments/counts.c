@@ -48,7 +48,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 100000, 2, MANY);
     int sets = parameter(&e, "SETS", 1, 1, MANY);
-    columns(
+    print_header(
         &e,
         "name c cells_expected cells cells_wrapped distances_expected "
         "distances distances_wrapped wrong_expected wrong points");

@@ -20,7 +20,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 25600, 100, MANY);
-    columns(&e, "name n two root");
+    print_header(&e, "name n two root");
     for (uint32_t n = 100; n <= most; n *= 4)
         row("n_%u\t%u\t%.5g\t%.5g", n, n, distances(n, 2),
             distances(n, sqrt(n)));

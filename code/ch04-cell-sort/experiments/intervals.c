@@ -105,7 +105,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 100000, 10000, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n build:3 few:3 many:3");
+    print_header(&e, "name n build:3 few:3 many:3");
     for (uint32_t n = 10000; n <= most; n *= 10)
         compare_ways(n, trials);
 }

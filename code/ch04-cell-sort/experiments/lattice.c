@@ -40,7 +40,8 @@ int main(int argc, char **argv)
         versions[2 * k + 1] = bench_trial(&benches[k], "batches");
     }
     time_in_turn(trials, versions, 2 * KINDS);
-    columns(&e, "name n cells distances candidates sorted:3 batches:3");
+    print_header(
+        &e, "name n cells distances candidates sorted:3 batches:3");
     for (int k = 0; k < KINDS; k++) {
         struct counts points = count(&benches[k], search_sorted);
         struct counts fours = count(&benches[k], search_batches);

@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     enum { POINTS = 64 };
     struct experiment e = experiment_begin(argc, argv);
     uint32_t i = POINTS;
-    columns(&e, "kind x y");
+    print_header(&e, "kind x y");
     for (uint64_t seed = 1; i == POINTS; seed++) {
         struct question question =
             uniform_question(STANDARD, POINTS, seed);

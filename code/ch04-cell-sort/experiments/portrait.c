@@ -30,7 +30,7 @@ int main(int argc, char **argv)
     struct points p = question.points;
     struct grid grid = grid_fit(&question, 2);
     struct cells cells = cells_sort(&grid, p);
-    columns(&e, "kind place point x y cell start");
+    print_header(&e, "kind place point x y cell start");
     for (uint32_t s = 0; s < POINTS; s++) {
         uint32_t i = cells.point[s],
                  k = grid_cell(&grid, p.x[i], p.y[i]);

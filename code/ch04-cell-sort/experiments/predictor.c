@@ -104,8 +104,8 @@ int main(int argc, char **argv)
     static struct replay replays[SETS];
     for (int k = 0; k < SETS; k++)
         replay_search(&replays[k], kinds[k], side * side);
-    columns(&e, "name length uniform uniform_ends uniform_nearer "
-                "lattice lattice_ends lattice_nearer");
+    print_header(&e, "name length uniform uniform_ends uniform_nearer "
+                     "lattice lattice_ends lattice_nearer");
     for (int l = 0; l < LENGTHS; l++) {
         row_begin("history_%d\t%d", lengths[l], lengths[l]);
         for (int k = 0; k < SETS; k++) {

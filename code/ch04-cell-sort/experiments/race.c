@@ -41,7 +41,7 @@ int main(int argc, char **argv)
             search_trial(search, &wraparound, answers);
     }
     time_in_turn(trials, versions, 2 * COUNT_OF(runners));
-    columns(&e, "name n standard:3 wraparound:3");
+    print_header(&e, "name n standard:3 wraparound:3");
     for (int r = 0; r < COUNT_OF(runners); r++)
         row_of_times(&versions[2 * r], 2, n, "%s\t%u", runners[r].name,
                      n);

@@ -59,7 +59,7 @@ int main(int argc, char **argv)
         versions[v] = (struct trial){searches[v % SEARCHES],
                                      &attempts[v / SEARCHES]};
     time_in_turn(trials, versions, SIZES * SEARCHES);
-    columns(&e, "name c lists:3 sorted:3 batches:3");
+    print_header(&e, "name c lists:3 sorted:3 batches:3");
     for (int s = 0; s < SIZES; s++)
         row_of_times(&versions[s * SEARCHES], SEARCHES, n,
                      "size_%d\t%g", s, per_cell[s]);

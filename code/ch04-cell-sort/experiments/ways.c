@@ -49,7 +49,7 @@ int main(int argc, char **argv)
     for (int w = BUILDS; w < WAYS; w++)
         versions[w] = bench_trial(&b, names[w]);
     time_in_turn(trials, versions, WAYS);
-    columns(&e, "name n ns:3");
+    print_header(&e, "name n ns:3");
     for (int w = 0; w < WAYS; w++)
         row_of_times(&versions[w], 1, n, "%s\t%u", names[w], n);
 }

@@ -142,8 +142,9 @@ int main(int argc, char **argv)
         *row++ = points_row(n, kinds[kind]);
     time_rows(rows, trials);
     struct line line = fit(rows, SIZES - 1); // 64 lanes, 2,048 cells
-    columns(&e, "name cells lanes losers predicted plain:3 groups:3 "
-                "conflicts:3 instructions");
+    print_header(&e,
+                 "name cells lanes losers predicted plain:3 groups:3 "
+                 "conflicts:3 instructions");
     print_price("point", 0, line.point);
     print_price("loser", 1, line.loser);
     for (int r = 0; r < ROWS; r++)

@@ -107,8 +107,9 @@ int main(int argc, char **argv)
     int sets = parameter(&e, "SETS", 10, 1, MANY);
     while (n & (n - 1))
         n &= n - 1; // a power of two, so that all groups are full
-    columns(&e, "name n cells lanes others pairs pairs_expected losers "
-                "losers_expected");
+    print_header(
+        &e, "name n cells lanes others pairs pairs_expected losers "
+            "losers_expected");
     const struct range seeds = {1, sets}, cray = {64, 64};
     print_tally("uniform", "uniform", n / 8, seeds, cray);
     print_tally("uniform", "uniform", n * 8, seeds, cray);

@@ -87,7 +87,7 @@ int main(int argc, char **argv)
                            .context = k % WAYS < 2 ? &one : &all};
     }
     time_in_turn(count, trials, STEPS * WAYS);
-    columns(&e, "name n threads before:3 one:3 all:3");
+    print_header(&e, "name n threads before:3 one:3 all:3");
     for (int step = 0; step < STEPS; step++)
         row_of_times(&trials[step * WAYS], WAYS, n, "%s\t%u\t%d",
                      step_names[step], n, all.question.threads);

@@ -62,7 +62,7 @@ int main(int argc, char **argv)
     struct grid grid = grid_fit(&question, 2);
     static const char *const names[] = {"serial", "partition",
                                         "partition_kept"};
-    columns(&e, "name n small large");
+    print_header(&e, "name n small large");
     for (enum way way = SERIAL; way <= KEPT; way++) {
         long small = faults_of(&grid, question.points, way, false);
         long large = faults_of(&grid, question.points, way, true);

@@ -73,6 +73,6 @@ int main(int argc, char **argv)
     count_in_lanes(cell_id, n, 64, count + 2 * m);
     count_in_lanes(cell_id, n, 1024, count + 3 * m);
     count_racing(cell_id, n, count + 4 * m);
-    columns(&e, "name right lanes8 lanes64 lanes1024 threads2");
+    print_header(&e, "name right lanes8 lanes64 lanes1024 threads2");
     print_counts(m, count);
 }

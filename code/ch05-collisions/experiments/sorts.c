@@ -195,7 +195,7 @@ int main(int argc, char **argv)
     for (char **kind = kinds; *kind; kind++)
         if (strcmp(*kind, "memory") != 0 && !find_distribution(*kind))
             fail("KIND: there are no points called %s", *kind);
-    columns(&e, "name n threads one:3 all:3 moved");
+    print_header(&e, "name n threads one:3 all:3 moved");
     for (char **kind = kinds; *kind; kind++) {
         if (strcmp(*kind, "memory") == 0)
             time_memory(n, count);

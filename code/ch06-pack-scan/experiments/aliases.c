@@ -99,7 +99,8 @@ int main(int argc, char **argv)
     struct pages pages =
         pages_take(parameter(&e, "PAGES", 1 << 13, 16, 1 << 20));
     double *ns = take(count, sizeof *ns);
-    columns(&e, "name placements best middle twentieth worst slow");
+    print_header(&e,
+                 "name placements best middle twentieth worst slow");
     time_placements(&pages, 0, count, ns);
     print_row("same", ns, count);
     time_placements(&pages, PAGE / 8, count, ns);

@@ -98,6 +98,7 @@ int main(int argc, char **argv)
         turns[d] = (struct trial){draw, &drawings[d]};
     }
     time_in_turn(trials, turns, 2 * INTERVALS);
-    columns(&e, "name every useful done starts short_ns:3 long_ns:3");
+    print_header(&e,
+                 "name every useful done starts short_ns:3 long_ns:3");
     print_rows(drawings, turns);
 }

@@ -54,7 +54,8 @@ int main(int argc, char **argv)
     struct trial versions[] = {{run_packing, &branching},
                                {run_packing, &portable},
                                {run_packing, &chosen}};
-    columns(&e, "name percent branch_ns:3 portable_ns:3 vector_ns:3");
+    print_header(&e,
+                 "name percent branch_ns:3 portable_ns:3 vector_ns:3");
     for (int percent = 0; percent <= 100; percent += 5) {
         fill(&branching, percent); // which all three pack
         time_in_turn(trials, versions, 3);

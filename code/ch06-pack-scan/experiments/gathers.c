@@ -85,7 +85,8 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     int trials = parameter(&e, "TRIALS", 11, 1, MANY);
-    columns(&e, "name bytes loop_ns:3 instruction_ns:3 avx512_ns:3");
+    print_header(&e,
+                 "name bytes loop_ns:3 instruction_ns:3 avx512_ns:3");
     for (size_t bytes = 1 << 14; bytes <= 1 << 22; bytes *= 16) {
         print_routes(GATHER_IN_ORDER, bytes, trials);
         print_routes(GATHER_AT_RANDOM, bytes, trials);

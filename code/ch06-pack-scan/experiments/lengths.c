@@ -57,7 +57,8 @@ int main(int argc, char **argv)
         for (int k = 0; bytes <= largest; k++, bytes *= 2)
             price_length(bytes, trials, pass == 0, ns[k]);
     }
-    columns(&e, "primitive bytes l1 l2 l3 portable_ns:3 vector_ns:3");
+    print_header(&e,
+                 "primitive bytes l1 l2 l3 portable_ns:3 vector_ns:3");
     size_t bytes = 1 << 12;
     for (int k = 0; bytes <= largest; k++, bytes *= 2)
         print_prices(bytes, ns[k]);

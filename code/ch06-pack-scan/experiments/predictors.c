@@ -55,7 +55,7 @@ static void print_row(int percent)
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    columns(
+    print_header(
         &e,
         "name percent rarer last counter history_12 history_20 few_12");
     for (int percent = 0; percent <= 100; percent += 10)

@@ -35,8 +35,8 @@ int main(int argc, char **argv)
     for (int level = 1; level < LEVELS; level++)
         price_tables(trials, bytes[level], &chosen, 1, ns + 1 + level);
 
-    columns(&e, "name isa portable_l1_ns:3 l1_ns:3 l2_ns:3 l3_ns:3"
-                " memory_ns:3");
+    print_header(&e, "name isa portable_l1_ns:3 l1_ns:3 l2_ns:3 l3_ns:3"
+                     " memory_ns:3");
     for (int work = 0; work < WORKS; work++) {
         row_begin("%s\t%s", work_names[work], isa_names[chosen->isa]);
         for (int c = 0; c <= LEVELS; c++)

@@ -70,7 +70,7 @@ int main(int argc, char **argv)
         run.to[i] = run.from[i] = i % 4;
         run.keep[i] = random_bits(&random) & 1;
     }
-    columns(&e, "name n threads one_ns:3 halves_ns:3 blocks_ns:3");
+    print_header(&e, "name n threads one_ns:3 halves_ns:3 blocks_ns:3");
     for (uint32_t n = 1 << 12; n <= longest; n *= 4) {
         run.n = n;
         run.rounds = n < 1 << 20 ? (1 << 20) / n : 1;

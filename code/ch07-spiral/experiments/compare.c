@@ -41,7 +41,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 5000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n distances cells ns:3");
+    print_header(&e, "name n distances cells ns:3");
     for (int k = 0; k < COUNT_OF(kinds); k++)
         compare_on(kinds[k], n, trials);
 }

@@ -48,8 +48,8 @@ int main(int argc, char **argv)
         trial[k] = (struct trial){sort_and_search, &timed[k]};
     }
     time_in_turn(trials, trial, SETTINGS);
-    columns(&e,
-            "name n c distances cells expected expected_cells ns:3");
+    print_header(
+        &e, "name n c distances cells expected expected_cells ns:3");
     question.threads = omp_get_num_procs();
     for (int k = 0; k < SETTINGS; k++) {
         struct census census = take_census(&question, settings[k].c);

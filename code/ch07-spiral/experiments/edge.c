@@ -26,7 +26,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 1000, 2, MANY);
     int sets = parameter(&e, "SETS", 100, 1, MANY);
-    columns(&e, "name n sets c standard wraparound expected");
+    print_header(&e, "name n sets c standard wraparound expected");
     double standard = mean_census(STANDARD, n, sets).distances;
     struct census around = mean_census(WRAPAROUND, n, sets);
     row("edge\t%u\t%d\t%.6g\t%.6g\t%.6g\t%.6g", n, sets,

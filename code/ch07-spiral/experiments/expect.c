@@ -7,7 +7,7 @@
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    columns(&e, "name c distances cells printed one_more");
+    print_header(&e, "name c distances cells printed one_more");
     for (int tenths = 2; tenths <= 80; tenths += 2) {
         double c = tenths / 10.0;
         struct expected expected = expected_spiral(c);

@@ -5,7 +5,7 @@
 // better point. And the square once more, with the D of the report.
 // Distances and cells a point, and wrong answers.
 //     rules [POINTS]
-#include "ch07-spiral/two_phases.h"
+#include "ch07-spiral/spiral_search.h"
 #include "common/experiment.h"
 
 enum rule {
@@ -165,7 +165,7 @@ int main(int argc, char **argv)
     struct question question = uniform_question(STANDARD, n, 1);
     struct answers *right = new_answers(n, BOTH);
     find_algorithm("cells")->run(&question, right);
-    columns(&e, "name n c distances cells wrong");
+    print_header(&e, "name n c distances cells wrong");
     for (int c = 1; c <= 3; c++) {
         struct grid grid = grid_fit(&question, c);
         struct cells cells = cells_sort(&grid, question.points);

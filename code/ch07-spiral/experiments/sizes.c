@@ -62,8 +62,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", LOTS, 1000, MANY);
     int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
-    columns(&e,
-            "name n sets one:5 two:5 unordered:5 ordered:5 l2_points"
+    print_header(
+        &e, "name n sets one:5 two:5 unordered:5 ordered:5 l2_points"
             " l3_points");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         print_size(n, n > LOTS && sets > 3 ? 3 : sets);

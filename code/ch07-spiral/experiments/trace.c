@@ -5,7 +5,7 @@
 // neighbor, and D in widths and in heights of a cell.
 // Taken is the first point whose search is worth drawing: phase one
 // ends in layer 1, and phase two goes further and finds a nearer one.
-#include "ch07-spiral/two_phases.h"
+#include "ch07-spiral/spiral_search.h"
 #include "common/experiment.h"
 
 enum { POINTS = 1000, MOST_CELLS = 200 };
@@ -113,7 +113,7 @@ int main(int argc, char **argv)
     struct grid grid = grid_fit(&question, 1);
     struct cells cells = cells_sort(&grid, question.points);
     struct map map = {&grid, &cells, question.points, question.space};
-    columns(&e, "kind x y visit layer phase compared best");
+    print_header(&e, "kind x y visit layer phase compared best");
     for (uint32_t i = 0; i < POINTS; i++) {
         struct recorder recorder = {.query = spiral_query_at(&map, i)};
         spiral_nearest(STANDARD, &map, visit_and_record,

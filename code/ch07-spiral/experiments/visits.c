@@ -2,13 +2,13 @@
 // cell: counted on points that wrap around, and expected.
 //     visits [POINTS]
 #include "ch07-spiral/experiments/expected.h"
-#include "ch07-spiral/two_phases.h"
+#include "ch07-spiral/spiral_search.h"
 #include "common/experiment.h"
 
 enum { FAR = 3, WIDE = 2 * FAR + 1 };
 
 struct visitor {
-    struct spiral_query query; // first, to be found from it
+    struct spiral_query query; // first: a pointer to it is one to all
     uint64_t visits[WIDE][WIDE];
 };
 
@@ -53,7 +53,7 @@ int main(int argc, char **argv)
     struct map map = {&grid, &cells, question.points, question.space};
     static struct visitor visitor;
     visit_all(&map, &visitor);
-    columns(&e, "name n dx dy counted expected");
+    print_header(&e, "name n dx dy counted expected");
     for (int dy = -FAR; dy <= FAR; dy++)
         for (int dx = -FAR; dx <= FAR; dx++)
             row("row%d_column%d\t%u\t%d\t%d\t%.6g\t%.6g", FAR + dy,

@@ -4,9 +4,9 @@
 // the innermost loop and, for routes to anywhere, as the points. Then
 // what each loop costs by its lines, and by the clock.
 //     bill [POINTS [TRIALS]]
-#include "ch08-vector-spiral/advance.h"
 #include "ch08-vector-spiral/by_primitives.h"
 #include "ch08-vector-spiral/experiments/small_prices.h"
+#include "ch08-vector-spiral/lockstep.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 
 enum { IN_LAYERS, IN_CELLS, IN_POINTS, SORT, WHOLE, LOOPS };
@@ -58,10 +58,10 @@ static void list_lines(const struct tally *t, double n,
          .operations = 6, .pack = 7},
         {"furthest", IN_LAYERS, looking, .bytes = 16, .operations = 4},
         {"answer", IN_LAYERS, 1, .far_out = 2},
-        {"go", IN_CELLS, t->tried / n, .bytes = 26, .operations = 6,
-         .pack = 2},
-        {"stay", IN_CELLS, t->visited / n, .bytes = 10, .operations = 1,
-         .in32 = 2, .pack = 3},
+        {"take_step", IN_CELLS, t->tried / n, .bytes = 26,
+         .operations = 6, .pack = 2},
+        {"keep_entered", IN_CELLS, t->visited / n, .bytes = 10,
+         .operations = 1, .in32 = 2, .pack = 3},
         {"cell_starts", IN_CELLS, t->cell_steps / n, .starts = 10},
         {"compare", IN_POINTS, points, .bytes = 68, .operations = 15,
          .in = 5, .in32 = 2, .out = 2},
@@ -156,11 +156,11 @@ static void time_loops(const struct question *question,
     struct grid grid = grid_fit(question, 1);
     struct cells cells = cells_sort(&grid, question->points);
     int64_t sorted = clock_ns();
-    advance_tasks(question, &grid, &cells, &plan, answers);
+    search_in_lockstep(question, &grid, &cells, &plan, answers);
     int64_t end = clock_ns();
     plan.kernels = &watched;
     watch = (struct watch){.kernels = kernels, .since = end};
-    advance_tasks(question, &grid, &cells, &plan, answers);
+    search_in_lockstep(question, &grid, &cells, &plan, answers);
     for (int k = 0; k < SORT; k++)
         ns[k] = watch.ns[k] - reading * watch.entries[k];
     ns[SORT] = sorted - begin;
@@ -236,6 +236,6 @@ int main(int argc, char **argv)
     time_in_trials(&question, trials, ns, &tally);
     struct line lines[LINES];
     list_lines(&tally, n, lines);
-    columns(&e, "name loop elements price predicted measured:3");
+    print_header(&e, "name loop elements price predicted measured:3");
     print_bill(lines, &prices, ns, n);
 }

@@ -46,7 +46,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 20000, 8, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name isa n ns:3");
+    print_header(&e, "name isa n ns:3");
     for (int k = 0; k < COUNT_OF(kinds) - 1; k++)
         time_kind(kinds[k], n, trials);
     time_kind(kinds[COUNT_OF(kinds) - 1], n < FEW ? n / 4 : FEW / 4, 1);

@@ -3,7 +3,7 @@
 // expected where no border is near.
 //     layers [POINTS]
 #include "ch07-spiral/experiments/expected.h"
-#include "ch08-vector-spiral/advance.h"
+#include "ch08-vector-spiral/lockstep.h"
 #include "ch08-vector-spiral/spiral_kernels.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "common/experiment.h"
@@ -45,10 +45,11 @@ int main(int argc, char **argv)
     struct tally tally;
     struct strip_plan plan = {spiral_kernels(isa_chosen()), STRIP,
                               &tally};
-    advance_tasks(&question, &grid, &cells, &plan,
-                  new_answers(n, NEAREST));
-    columns(&e, "name n layer seeking expected_seeking looking shown"
-                " expected_shown");
+    search_in_lockstep(&question, &grid, &cells, &plan,
+                       new_answers(n, NEAREST));
+    print_header(&e,
+                 "name n layer seeking expected_seeking looking shown"
+                 " expected_shown");
     for (int k = 0; k < LAYERS_PRINTED; k++)
         print_layer(&tally, n, (double)n / grid_cells(&grid), k);
 }

@@ -5,14 +5,14 @@
 //     sizes [MOST [SETS]]
 #include "ch07-spiral/experiments/census.h"
 #include "ch07-spiral/spiral.h"
-#include "ch08-vector-spiral/advance.h"
 #include "ch08-vector-spiral/experiments/versions.h"
+#include "ch08-vector-spiral/lockstep.h"
 #include "ch08-vector-spiral/spiral_kernels.h"
 #include "ch08-vector-spiral/vector_spiral.h"
 #include "common/experiment.h"
 
 enum { LOTS = 1000000, FEW_SETS = 3, MOST_SETS = 1000 };
-enum { SEQUENTIAL, VECTOR, COMING, ORDERED, MARCHING, COLUMNS };
+enum { SEQUENTIAL, VECTOR, UNORDERED, ORDERED, IN_STEP, COLUMNS };
 
 // In memory that was just given back; small sets run once before, to
 // warm the caches.
@@ -35,7 +35,7 @@ static double compared_in_step(const struct question *question,
     struct tally tally;
     struct strip_plan plan = {spiral_kernels(isa_chosen()), STRIP,
                               &tally};
-    advance_tasks(question, &grid, &cells, &plan, answers);
+    search_in_lockstep(question, &grid, &cells, &plan, answers);
     cells_free(&cells);
     grid_free(&grid);
     return (double)tally.compared / question->points.n;
@@ -50,10 +50,10 @@ static void try_set(const char *kind, uint32_t n, int set,
     found[SEQUENTIAL][set] = take_census(&question, 1).distances;
     found[VECTOR][set] = compared_in_step(&question, answers);
     question.threads = 1;
-    found[COMING][set] = time_search(spiral, &question, answers);
+    found[UNORDERED][set] = time_search(spiral, &question, answers);
     found[ORDERED][set] =
         time_search(spiral_in_order, &question, answers);
-    found[MARCHING][set] =
+    found[IN_STEP][set] =
         time_search(vector_spiral, &question, answers);
     forget();
 }
@@ -81,8 +81,9 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 100000, 1000, MANY);
     int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
-    columns(&e, "name kind n sets sequential:5 vector:5 unordered:5"
-                " ordered:5 in_step:5");
+    print_header(&e,
+                 "name kind n sets sequential:5 vector:5 unordered:5"
+                 " ordered:5 in_step:5");
     print_sizes("uniform", most, sets);
     print_sizes("clustered", most, sets);
 }

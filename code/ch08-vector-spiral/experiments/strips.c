@@ -3,8 +3,8 @@
 // the number of tasks in a strip. And how many tasks fill the caches.
 //     strips [POINTS [TRIALS [LONGEST]]]
 #include "ch06-pack-scan/experiments/caches.h"
-#include "ch08-vector-spiral/advance.h"
 #include "ch08-vector-spiral/by_primitives.h"
+#include "ch08-vector-spiral/lockstep.h"
 #include "ch08-vector-spiral/spiral_kernels.h"
 #include "common/experiment.h"
 
@@ -24,7 +24,8 @@ static void run_strips(void *context)
 {
     struct strips *s = context;
     struct strip_plan plan = {s->kernels, s->length, &s->tally};
-    advance_tasks(s->question, s->grid, s->cells, &plan, s->answers);
+    search_in_lockstep(s->question, s->grid, s->cells, &plan,
+                       s->answers);
 }
 
 static void print_length(const struct strips *strips,
@@ -66,8 +67,9 @@ int main(int argc, char **argv)
             turns[count] = (struct trial){run_strips, &strips[count]};
         }
     time_in_turn(trials, turns, count);
-    columns(&e, "name length primitives:3 fused:3 points lanes unpacked"
-                " l1_tasks l2_tasks");
+    print_header(
+        &e, "name length primitives:3 fused:3 points lanes unpacked"
+            " l1_tasks l2_tasks");
     for (int k = 0; k < count; k += WAYS)
         print_length(&strips[k], &turns[k]);
 }

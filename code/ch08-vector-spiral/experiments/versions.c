@@ -9,21 +9,20 @@
 void spiral_primitives(const struct question *question,
                        struct answers *answers)
 {
-    sort_and_advance(question, &spiral_by_primitives[isa_chosen()],
-                     answers);
+    sort_and_search(question, &spiral_by_primitives[isa_chosen()],
+                    answers);
 }
 
 void spiral_primitives_plain(const struct question *question,
                              struct answers *answers)
 {
-    sort_and_advance(question, &spiral_by_primitives[PORTABLE],
-                     answers);
+    sort_and_search(question, &spiral_by_primitives[PORTABLE], answers);
 }
 
 void spiral_fused_plain(const struct question *question,
                         struct answers *answers)
 {
-    sort_and_advance(question, spiral_kernels(PORTABLE), answers);
+    sort_and_search(question, spiral_kernels(PORTABLE), answers);
 }
 
 void spiral_in_order(const struct question *question,

@@ -48,7 +48,7 @@ static void print_size(const char *name, struct stages *s,
     search(s);
     row_of_times(trials, 2, n, "%s\t%g\t%.5g\t%.5g\t%.4g\t%.4g", name,
                  s->c, (double)counts.distances / n,
-                 expected_candidates(c), (double)counts.tasks / n,
+                 expected_candidates(c), (double)counts.exact / n,
                  expected_exact(c));
 }
 
@@ -72,8 +72,9 @@ int main(int argc, char **argv)
         trials[2 * k + 1] = (struct trial){search, s};
     }
     time_in_turn(count, trials, 2 * SIZES);
-    columns(&e, "name c distances expected exact exact_expected sort:3 "
-                "search:3");
+    print_header(
+        &e, "name c distances expected exact exact_expected sort:3 "
+            "search:3");
     for (int k = 0; k < SIZES; k++)
         print_size(sizes[k].name, &stages[k], &trials[2 * k]);
 }

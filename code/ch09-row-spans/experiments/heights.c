@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 // Coordinates and an index of a sorted point, two thirds of a start,
-// the way back, and an answer.
+// two indices to restore its order, and an answer.
 enum { BYTES_KEPT = 43, LOTS = 1000000 };
 
 static const char *const searches[] = {"spiral", "cells", "row-spans"};
@@ -91,8 +91,9 @@ int main(int argc, char **argv)
         time_size(&heights[k]);
     for (int k = 0; k < count; k++)
         time_kept(&heights[k]);
-    columns(&e, "name n l2_points l3_points spiral:3 cells:3 spans:3"
-                " pages kept:3");
+    print_header(&e,
+                 "name n l2_points l3_points spiral:3 cells:3 spans:3"
+                 " pages kept:3");
     for (int k = 0; k < count; k++)
         print_height(&heights[k]);
 }

@@ -34,7 +34,7 @@ static void print_kind(const char *kind, uint32_t n, int count)
         count_operations(algorithm, &question, answers);
     row_of_times(trial, WAYS, n, "%s\t%u\t%d\t%.5g\t%.4g", kind, n,
                  question.threads, (double)counts.distances / n,
-                 (double)counts.tasks / n);
+                 (double)counts.exact / n);
     workspace_free(&workspace);
     forget();
 }
@@ -45,8 +45,8 @@ int main(int argc, char **argv)
     uint32_t n = parameter(&e, "POINTS", 5000, 2, MANY);
     uint32_t more = parameter(&e, "MORE", 100000, 2, MANY);
     int count = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n threads distances exact spiral:3 cells:3 "
-                "spans:3 all:3");
+    print_header(&e, "name n threads distances exact spiral:3 cells:3 "
+                     "spans:3 all:3");
     print_kind("uniform", more, count);
     print_kind("clustered", more, count);
     print_kind("lattice", more, count);

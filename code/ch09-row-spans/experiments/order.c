@@ -70,7 +70,7 @@ int main(int argc, char **argv)
     uint32_t many = parameter(&e, "POINTS", 100000, 2, MANY);
     uint32_t few = parameter(&e, "FEW", 20000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 5, 1, MANY);
-    columns(&e, "name n four:3 eight:3");
+    print_header(&e, "name n four:3 eight:3");
     compare_orders("few", few, trials);
     compare_orders("many", many, trials);
 }

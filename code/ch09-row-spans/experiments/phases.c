@@ -154,7 +154,7 @@ int main(int argc, char **argv)
             (struct trial){phases[k / 2].work, k % 2 ? &all : &one,
                            .prepare = phases[k / 2].work};
     time_in_turn(count, trials, 2 * PHASES);
-    columns(&e, "name n threads one:3 all:3");
+    print_header(&e, "name n threads one:3 all:3");
     for (int k = 0; k < PHASES; k++)
         row_of_times(&trials[2 * k], 2, n, "%s\t%u\t%d", phases[k].name,
                      n, all.question.threads);

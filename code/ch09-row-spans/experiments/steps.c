@@ -62,7 +62,7 @@ static void query_each(struct steps *s, query_function *query,
     const struct sorted *sorted = &s->two.sorted;
     const uint32_t *point = sorted->cells.point;
     const struct scene scene = {s->question.space, sorted, kernels};
-    struct counts counts = {.tasks = sorted->points.n};
+    struct counts counts = {.exact = sorted->points.n};
     for (uint32_t k = 0; k < sorted->points.n; k++) {
         struct query found = query(&scene, k);
         s->answers->nearest[point[k]] = found.nearest;
@@ -138,13 +138,13 @@ int main(int argc, char **argv)
         trials[k] =
             (struct trial){.work = steps[k].work, .context = &s};
     time_in_turn(count, trials, STEPS);
-    columns(&e, "name n distances exact ns:3");
+    print_header(&e, "name n distances exact ns:3");
     for (int k = 0; k < STEPS; k++) {
         struct counts counts = {0};
         s.question.counts = &counts;
         steps[k].counted(&s);
         row_of_times(&trials[k], 1, n, "%s\t%u\t%.5g\t%.4g",
                      steps[k].name, n, (double)counts.distances / n,
-                     (double)counts.tasks / n);
+                     (double)counts.exact / n);
     }
 }

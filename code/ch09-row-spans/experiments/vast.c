@@ -17,7 +17,7 @@ int main(int argc, char **argv)
     double ns = (double)(clock_ns() - start) / n;
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage); // in units of 1024 bytes
-    columns(&e, "name n threads ns bytes");
+    print_header(&e, "name n threads ns bytes");
     row("points\t%u\t%d\t%.4g\t%.4g", n, question.threads, ns,
         1024.0 * usage.ru_maxrss / n);
 }

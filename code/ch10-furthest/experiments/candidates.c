@@ -3,7 +3,7 @@
 // cells and a little; and the same for cells along the border.
 //     candidates [MOST]
 #include "ch04-cell-sort/sorted.h"
-#include "ch10-furthest/border.h"
+#include "ch10-furthest/coursework_furthest.h"
 #include "common/experiment.h"
 
 static void print_counts(struct question question, double c)
@@ -29,10 +29,11 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 100000, 100, MANY / 10);
-    columns(&e, "name n side edge edge_expected cells cells_expected "
-                "points points_expected root_side root_edge "
-                "root_edge_expected root_cells root_cells_expected "
-                "root_points root_points_expected");
+    print_header(&e,
+                 "name n side edge edge_expected cells cells_expected "
+                 "points points_expected root_side root_edge "
+                 "root_edge_expected root_cells root_cells_expected "
+                 "root_points root_points_expected");
     for (uint32_t n = 1000; n <= most; n *= 10) {
         struct question question = uniform_question(STANDARD, n, 1);
         row_begin("trick%u\t%u", n, n);

@@ -2,7 +2,7 @@
 // and one whose furthest point it misses since the corner cell is
 // empty. In units of cells: the cells, the points, the circle.
 #include "ch02-all-pairs/naive.h"
-#include "ch10-furthest/border.h"
+#include "ch10-furthest/coursework_furthest.h"
 #include "common/experiment.h"
 
 enum { POINTS = 200, MOST_SEEDS = 10000 };
@@ -75,7 +75,7 @@ static void draw(const char *panel, bool missed)
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    columns(&e, "kind x y");
+    print_header(&e, "kind x y");
     draw("sound", false);
     draw("broken", true);
 }

@@ -52,7 +52,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 10000, 100, MANY);
     int sets = parameter(&e, "SETS", 20, 1, MANY);
-    columns(&e, "name n sets corners expected asked");
+    print_header(&e, "name n sets corners expected asked");
     for (uint64_t n = 100; n <= most; n *= 10)
         print_count("uniform", n,
                     n > FEW ? 1 + sets * FEW / n : (uint32_t)sets);

@@ -109,8 +109,8 @@ int main(int argc, char **argv)
     // caches as it leaves them.
     for (int k = first[QUICK]; k < first[STAGES]; k++)
         time_in_turn(count, &trials[k], 1);
-    columns(&e, "name chapter answers n threads standard:3 "
-                "standard_all:3 wraparound:3 wraparound_all:3");
+    print_header(&e, "name chapter answers n threads standard:3 "
+                     "standard_all:3 wraparound:3 wraparound_all:3");
     for (int s = 0; s < STAGES; s++)
         print_stage(s, trials + first[s], n, s < SLOW ? fewer : n);
 }

@@ -46,8 +46,9 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 5000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n cells_distances cells:3 hull_distances hull:3"
-                " both_distances both:3 tiles_distances tiles:3");
+    print_header(&e,
+                 "name n cells_distances cells:3 hull_distances hull:3"
+                 " both_distances both:3 tiles_distances tiles:3");
     for (int k = 0; k < COUNT_OF(kinds); k++)
         print_kind(kinds[k], n, trials);
 }

@@ -94,9 +94,9 @@ int main(int argc, char **argv)
         add_set(STANDARD, n, set, &sums[0]);
         add_set(WRAPAROUND, n, set, &sums[1]);
     }
-    columns(&e, means
-                    ? "name n sets threads nearest furthest ns:3"
-                    : "standard_at standard wraparound_at wraparound");
+    print_header(
+        &e, means ? "name n sets threads nearest furthest ns:3"
+                  : "standard_at standard wraparound_at wraparound");
     if (means)
         print_means(sums, n, sets);
     else

@@ -1,7 +1,7 @@
 // From the middle of every cell in the lower half of a grid, how many
 // cells the corner trick looks at.
 #include "ch04-cell-sort/sorted.h"
-#include "ch10-furthest/border.h"
+#include "ch10-furthest/coursework_furthest.h"
 #include "common/experiment.h"
 
 enum { POINTS = 1000, PER_CELL = 2 };

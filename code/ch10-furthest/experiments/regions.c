@@ -38,7 +38,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 6000, 2, MANY);
-    columns(&e, "kind x y rank points");
+    print_header(&e, "kind x y rank points");
     print_kind("uniform", n);
     print_kind("clustered", n);
 }

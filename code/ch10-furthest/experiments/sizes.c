@@ -42,8 +42,8 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 300000, 1000, MANY);
-    columns(&e, "name n spans:3 cells:3 hull:3 far:3 both:3"
-                " spans_wrapped:3 cells_wrapped:3 both_wrapped:3");
+    print_header(&e, "name n spans:3 cells:3 hull:3 far:3 both:3"
+                     " spans_wrapped:3 cells_wrapped:3 both_wrapped:3");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         print_points(n);
 }

@@ -3,8 +3,8 @@
 // wraparound far from any seam, and counted.
 //     visits [MOST [SETS]]
 #include "ch10-furthest/experiments/expected_far.h"
+#include "ch10-furthest/furthest_branch_and_bound.h"
 #include "ch10-furthest/furthest_cells.h"
-#include "ch10-furthest/outside.h"
 #include "common/experiment.h"
 
 static void search_alone(const struct question *question,
@@ -66,8 +66,9 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 10000, 1000, MANY / 10);
     int sets = parameter(&e, "SETS", 10, 1, MANY);
-    columns(&e, "name n sets c cells_expected cells distances_expected "
-                "distances cells_together distances_together");
+    print_header(
+        &e, "name n sets c cells_expected cells distances_expected "
+            "distances cells_together distances_together");
     for (uint32_t n = 1000; n <= most; n *= 10)
         print_visits(STANDARD, n, sets);
     for (uint32_t n = 1000; n <= most; n *= 10)

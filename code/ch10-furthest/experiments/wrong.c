@@ -4,7 +4,7 @@
 // coursework's, of sqrt(n).
 //     wrong [POINTS [SETS]]
 #include "ch04-cell-sort/sorted.h"
-#include "ch10-furthest/border.h"
+#include "ch10-furthest/coursework_furthest.h"
 #include "common/experiment.h"
 
 static const char *const kinds[] = {"uniform",   "clustered",
@@ -51,7 +51,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 5000, 100, MANY);
     int sets = parameter(&e, "SETS", 100, 1, MANY);
-    columns(&e, "name n sets c edge corner broken");
+    print_header(&e, "name n sets c edge corner broken");
     char name[40];
     for (int k = 0; k < COUNT_OF(kinds); k++) {
         sprintf(name, "wrong_%s", kinds[k]);

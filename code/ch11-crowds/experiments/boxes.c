@@ -12,7 +12,7 @@ int main(int argc, char **argv)
     struct question question = kind_question("kuzmin", n, 1);
     struct workspace workspace = {0};
     const struct pieces pieces = pieces_make(&question, &workspace);
-    columns(&e, "left bottom right top n");
+    print_header(&e, "left bottom right top n");
     for (uint32_t k = 0; k < pieces.leaves; k++)
         for (uint32_t i = 0; i < pieces.count[k]; i++) {
             const struct piece *piece =

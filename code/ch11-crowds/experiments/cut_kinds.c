@@ -21,7 +21,7 @@ uint32_t cut_all_kinds(int argc, char **argv, const char *names,
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
-    columns(&e, names);
+    print_header(&e, names);
     for (int d = 0; d < distribution_count; d++)
         cut_one_kind(distributions[d].name, n, look);
     return n;

@@ -52,7 +52,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t most = parameter(&e, "MOST", 10000, 1000, MANY);
     uint32_t patience = parameter(&e, "PATIENCE", 10000, 1000, MANY);
-    columns(&e, "name n near far near_around far_around one_grid");
+    print_header(&e, "name n near far near_around far_around one_grid");
     for (int d = 0; d < distribution_count; d++)
         for (uint32_t n = 1000; n <= most; n *= 10)
             print_kind(&distributions[d], n, patience);

@@ -40,7 +40,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n spans:3 even:3 near:3 both:3 adaptive:3");
+    print_header(&e, "name n spans:3 even:3 near:3 both:3 adaptive:3");
     for (int d = 0; d < distribution_count; d++)
         print_kind(distributions[d].name, n, trials);
 }

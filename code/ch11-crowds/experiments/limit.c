@@ -62,7 +62,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     int trials = parameter(&e, "TRIALS", 3, 1, MANY);
-    columns(&e, "name n side density grid:3 pieces:3");
+    print_header(&e, "name n side density grid:3 pieces:3");
     static const double wanted[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
     for (int k = 0; k < COUNT_OF(wanted); k++)
         print_density(wanted[k], n, trials);

@@ -32,7 +32,7 @@ static void print_kind(const struct cut_kind *kind)
         count += pieces->count[k];
     row("cut_%s\t%u\t%u\t%.5g\t%u\t%.4g\t%u\t%.5g\t%.5g\t%.5g",
         kind->name, n, count, (double)n / count, depth_of(pieces, 0),
-        (double)counts.tasks / n, given_up,
+        (double)counts.exact / n, given_up,
         (double)counts.distances / n, predict_from_counts(pieces),
         predict_from_density(pieces, kind->name, 1));
 }

@@ -136,7 +136,7 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     uint32_t n = parameter(&e, "POINTS", 20000, 1000, MANY);
     const double c = 1.5;
-    columns(&e, "name n one more twice fitted wrong");
+    print_header(&e, "name n one more twice fitted wrong");
     for (int d = 0; d < distribution_count; d++) {
         struct points p = generate(&distributions[d], n, 1);
         row("grid_%s\t%u\t%.5g\t%.5g\t%.5g\t%.5g\t%.4g",

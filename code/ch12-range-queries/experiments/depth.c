@@ -27,7 +27,7 @@ static uint64_t steps_of(const struct orthotree *tree, double side)
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    columns(&e, "name j nodes compressed steps compressed_steps");
+    print_header(&e, "name j nodes compressed steps compressed_steps");
     for (int j = 4; j <= 20; j += 4) {
         const double side = ldexp(1, -j);
         struct point_set points = generate_set(

@@ -12,7 +12,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
-    columns(&e, "name structure d n share found tested steps ns:3");
+    print_header(&e,
+                 "name structure d n share found tested steps ns:3");
     for (int d = 1; d <= MAX_DIMENSIONS; d++) {
         const double share = pow((double)HELD / n, 1.0 / d);
         struct query_workload *workload = workload_of("uniform", n, d);

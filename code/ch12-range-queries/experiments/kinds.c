@@ -41,8 +41,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
-    columns(&e, "name structure kind n bytes build:3 found tested "
-                "steps ns:3");
+    print_header(&e, "name structure kind n bytes build:3 found tested "
+                     "steps ns:3");
     for (int kind = 0; kind < COUNT_OF(kinds); kind++) {
         struct query_workload *workload =
             workload_of(kinds[kind], n, 3);

@@ -70,7 +70,7 @@ int main(int argc, char **argv)
     const uint32_t largest =
         parameter(&e, "LARGEST", 100000, 1000, MANY);
     const struct structure *s = find_structure("kd-tree");
-    columns(&e, "name d n leaves predicted tested steps found");
+    print_header(&e, "name d n leaves predicted tested steps found");
     for (int d = 2; d <= 3; d++)
         for (uint32_t n = 1000; n <= largest; n *= 10) {
             struct query_workload *workload =

@@ -49,8 +49,9 @@ int main(int argc, char **argv)
     const uint32_t largest =
         parameter(&e, "LARGEST", 10000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 1, 1, MAX_TRIALS);
-    columns(&e, "name n share found stays stays_row stays_ns hundred "
-                "hundred_row hundred_ns one one_row one_ns");
+    print_header(&e,
+                 "name n share found stays stays_row stays_ns hundred "
+                 "hundred_row hundred_ns one one_row one_ns");
     for (uint32_t n = 100; n <= largest; n *= 10) {
         struct query_workload *workload = workload_of("uniform", n, 3);
         void *built[16];

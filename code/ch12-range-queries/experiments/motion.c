@@ -44,7 +44,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
-    columns(&e, "name structure length n build update:3 tested ns:3");
+    print_header(&e,
+                 "name structure length n build update:3 tested ns:3");
     for (int row = 1; row < structure_count; row++) // after the scan
         for (int k = 0; k < COUNT_OF(lengths); k++)
             print_motion(&structures[row], n, lengths[k], trials);

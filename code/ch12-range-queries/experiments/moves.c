@@ -16,7 +16,7 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
-    columns(&e, "name length n predicted moves");
+    print_header(&e, "name length n predicted moves");
     for (int k = 0; k < COUNT_OF(lengths); k++) {
         struct query_workload *workload =
             workload_of("uniform", n, DIMENSIONS);

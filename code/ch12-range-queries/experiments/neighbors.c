@@ -43,8 +43,8 @@ int main(int argc, char **argv)
     struct found *found = take(n, sizeof *found);
     const double distance = cbrt(WANTED / (n * 4.18879020478639));
     const double each = MAX_BOXES;
-    columns(&e, "name n steps tested within_steps within_tested "
-                "within_found");
+    print_header(&e, "name n steps tested within_steps within_tested "
+                     "within_found");
     for (int k = 0; k < COUNT_OF(names); k++) {
         const struct structure *s = find_structure(names[k]);
         void *built = s->build(&workload->points, 1);

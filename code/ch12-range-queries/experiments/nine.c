@@ -65,7 +65,7 @@ static void print_cells(const char *name,
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    columns(&e, "name steps tested found");
+    print_header(&e, "name steps tested found");
     struct point_set points = point_set_allocate(N, 2);
     memcpy(points.x[0], xs, sizeof xs);
     memcpy(points.x[1], ys, sizeof ys);

@@ -48,8 +48,8 @@ int main(int argc, char **argv)
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     struct query_workload *workload = workload_of("uniform", n, 3);
-    columns(&e, "name structure share n found tested predicted "
-                "steps ns:3");
+    print_header(&e, "name structure share n found tested predicted "
+                     "steps ns:3");
     for (int row = 0; row < structure_count; row++) {
         const struct structure *s = &structures[row];
         void *built = s->build(&workload->points, 1);

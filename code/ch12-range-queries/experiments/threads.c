@@ -25,7 +25,7 @@ int main(int argc, char **argv)
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     struct query_workload *workload = workload_of("uniform", n, 3);
-    columns(&e, "name threads n build:3");
+    print_header(&e, "name threads n build:3");
     for (int threads = 1; threads <= omp_get_num_procs();
          threads *= 2) {
         const struct summary build =

@@ -53,8 +53,8 @@ int main(int argc, char **argv)
     const uint32_t n = parameter(&e, "POINTS", 30000, 1000, MANY);
     const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     struct query_workload *workload = workload_of("uniform", n, 3);
-    columns(&e, "name structure size n build bytes small_tested "
-                "small:3 large_tested large:3");
+    print_header(&e, "name structure size n build bytes small_tested "
+                     "small:3 large_tested large:3");
     for (int k = 0; k < COUNT_OF(names); k++)
         for (int size = 2; size <= 128; size *= 2)
             print_size(workload, names[k], size, trials);

@@ -99,8 +99,9 @@ int main(int argc, char **argv)
     double *work = take(s.pairs.count + 1, sizeof *work);
     for (uint64_t p = 0; p < s.pairs.count; p++)
         work[p] = work_of(&s, s.pairs.pair[p]);
-    columns(&e, "name threads triangles candidates pairs_by_triangle "
-                "work_by_triangle work_by_pair work_by_runs");
+    print_header(&e,
+                 "name threads triangles candidates pairs_by_triangle "
+                 "work_by_triangle work_by_pair work_by_runs");
     for (int k = 0; k < COUNT_OF(threads); k++)
         row("threads_%d\t%d\t%u\t%.0f\t%.4g\t%.4g\t%.4g\t%.4g",
             threads[k], threads[k], s.scene.mesh.triangles,

@@ -44,7 +44,8 @@ int main(int argc, char **argv)
     const uint32_t most =
         parameter(&e, "TRIANGLES", 3000, 1000, 3000000);
     const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
-    columns(&e, "name broad giant n triangles candidates tested ns:3");
+    print_header(&e,
+                 "name broad giant n triangles candidates tested ns:3");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         for (int row = 0; row < broad_count; row++)
             if (is_bearable(&broads[row], n))

@@ -29,8 +29,9 @@ int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "TRIANGLES", 5000, 1000, 3000000);
-    columns(&e, "name step triangles candidates narrow hits events "
-                "false_share pieces");
+    print_header(&e,
+                 "name step triangles candidates narrow hits events "
+                 "false_share pieces");
     for (int k = 0; k < COUNT_OF(steps); k++)
         print_share(steps[k], n);
 }

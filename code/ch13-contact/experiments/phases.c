@@ -50,9 +50,9 @@ int main(int argc, char **argv)
     const uint32_t most =
         parameter(&e, "TRIANGLES", 10000, 1000, 3000000);
     const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
-    columns(&e, "name broad n triangles candidates narrow events "
-                "broad_share predict:3 capture:3 broad_ns:3 "
-                "narrow_ns:3 handle:3 step:3");
+    print_header(&e, "name broad n triangles candidates narrow events "
+                     "broad_share predict:3 capture:3 broad_ns:3 "
+                     "narrow_ns:3 handle:3 step:3");
     for (uint32_t n = 1000; n <= most; n = next_size(n))
         for (int k = 0; k < COUNT_OF(names); k++)
             print_phases(names[k], n, trials);

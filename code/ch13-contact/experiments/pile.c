@@ -56,7 +56,7 @@ int main(int argc, char **argv)
         2); // counts, no times
     const uint32_t gap = (steps + rows - 1) / rows;
     uint64_t crossing = 0;
-    columns(
+    print_header(
         &e,
         "name step bodies triangles tested candidates paired narrow "
         "events touches stopped rounds asleep energy height "

@@ -40,7 +40,8 @@ int main(int argc, char **argv)
     struct experiment e = experiment_begin(argc, argv);
     const uint32_t n = parameter(&e, "TRIANGLES", 3000, 1000, 3000000);
     const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
-    columns(&e, "name broad step triangles candidates tested ns:3");
+    print_header(&e,
+                 "name broad step triangles candidates tested ns:3");
     for (int k = 0; k < COUNT_OF(names); k++)
         for (int step = 0; step < COUNT_OF(steps); step++)
             print_update(find_broad(names[k]), steps[step], n, trials);

@@ -1,16 +1,16 @@
-//> Advance in step
+//> Search in lockstep
 // The loop over the layers and the one over the cells of a layer; the
 // two inner ones are kernels. Lists are packed, what a task remembers
 // stays in place. A point costs a constant number of steps where the
 // points are scattered evenly.
-#include "ch08-vector-spiral/advance.h"
+#include "ch08-vector-spiral/lockstep.h"
 #include "ch08-vector-spiral/search_bounds.h"
 #include "common/allocate.h"
 #include <omp.h>
 #include <stdlib.h>
 
 //> Hold what all loops need
-struct advance {
+struct lockstep {
     const struct map *map;
     const struct spiral_kernels *kernels;
     struct strip *strip;
@@ -25,13 +25,13 @@ static uint32_t lanes_for(uint32_t n)
 //<
 
 //> Visit a cell in step
-static void visit_cells(const struct advance *a,
+static void visit_cells(const struct lockstep *run,
                         const struct tasks *tasks, int32_t dx,
                         int32_t dy)
 {
-    struct strip *strip = a->strip;
+    struct strip *strip = run->strip;
     struct tally *tally = &strip->tally;
-    a->kernels->enter_cells(a->map, strip, tasks, dx, dy);
+    run->kernels->enter_cells(run->map, strip, tasks, dx, dy);
     tally->cell_steps++;
     tally->tried += tasks->n;
     tally->entered += strip->here.n;
@@ -40,7 +40,7 @@ static void visit_cells(const struct advance *a,
         tally->compared += strip->here.n;
         tally->lanes += lanes_for(strip->here.n);
         tally->lanes_unpacked += lanes_for(strip->all.n);
-        a->kernels->compare_points(a->map, strip);
+        run->kernels->compare_points(run->map, strip);
     }
 }
 //<
@@ -56,8 +56,8 @@ static int32_t furthest(const struct tasks *tasks, enum side side,
     return MIN(bound, k);
 }
 
-static void go_round(const struct advance *a, const struct tasks *tasks,
-                     int32_t k)
+static void go_round(const struct lockstep *run,
+                     const struct tasks *tasks, int32_t k)
 {
     int32_t west = furthest(tasks, WEST, k);
     int32_t east = furthest(tasks, EAST, k);
@@ -66,24 +66,25 @@ static void go_round(const struct advance *a, const struct tasks *tasks,
     for (int32_t dy = -south; dy <= north; dy++) {
         if (dy == -k || dy == k) {
             for (int32_t dx = -west; dx <= east; dx++)
-                visit_cells(a, tasks, dx, dy);
+                visit_cells(run, tasks, dx, dy);
             continue;
         }
         if (west == k)
-            visit_cells(a, tasks, -k, dy);
+            visit_cells(run, tasks, -k, dy);
         if (east == k)
-            visit_cells(a, tasks, k, dy);
+            visit_cells(run, tasks, k, dy);
     }
 }
 //<
 
 //> Tally a layer
-static void do_layer(const struct advance *a, const struct tasks *tasks,
-                     int32_t k, uint64_t phase[static LAYERS_TALLIED])
+static void do_layer(const struct lockstep *run,
+                     const struct tasks *tasks, int32_t k,
+                     uint64_t phase[static LAYERS_TALLIED])
 {
-    struct tally *sum = &a->strip->tally;
+    struct tally *sum = &run->strip->tally;
     uint64_t before = sum->visited;
-    go_round(a, tasks, k);
+    go_round(run, tasks, k);
     if (k < LAYERS_TALLIED) {
         phase[k] += tasks->n;
         sum->of_layer[k] += sum->visited - before;
@@ -110,17 +111,17 @@ static void pack_tasks(struct strip *strip, const struct tasks *from)
 //<
 
 //> Seek until every task has a candidate
-static void phase_one(const struct advance *a)
+static void phase_one(const struct lockstep *run)
 {
-    struct strip *strip = a->strip;
+    struct strip *strip = run->strip;
     const uint32_t *nearest = strip->nearest;
     const struct tasks *tasks = &strip->all;
     for (int32_t k = 0; tasks->n > 0; k++) {
         const uint32_t *task = tasks->task, n = tasks->n;
         uint8_t *keep = strip->keep;
         for (uint32_t i = 0; i < n; i++)
-            strip->ended[task[i]] = k;
-        do_layer(a, tasks, k, strip->tally.phase_one);
+            strip->phase_one_layer[task[i]] = k;
+        do_layer(run, tasks, k, strip->tally.phase_one);
         for (uint32_t i = 0; i < n; i++)
             keep[i] = nearest[task[i]] == NO_INDEX;
         pack_tasks(strip, tasks);
@@ -132,34 +133,36 @@ static void phase_one(const struct advance *a)
 //> Search the squares
 // Layer by layer, the tasks whose square goes so far and that have not
 // been there in phase one.
-static void phase_two(const struct advance *a)
+static void phase_two(const struct lockstep *run)
 {
-    struct strip *strip = a->strip;
+    struct strip *strip = run->strip;
     const struct tasks *all = &strip->all;
     const int32_t *west = all->bound[WEST], *east = all->bound[EAST];
     const int32_t *south = all->bound[SOUTH];
-    const int32_t *north = all->bound[NORTH], *ended = strip->ended;
+    const int32_t *north = all->bound[NORTH],
+                  *phase_one_layer = strip->phase_one_layer;
     uint8_t *keep = strip->keep;
     for (int32_t k = 1, last = k; k <= last; k++) {
 #pragma omp simd reduction(max : last)
         for (uint32_t t = 0; t < all->n; t++) {
             int32_t far =
                 MAX(MAX(west[t], east[t]), MAX(south[t], north[t]));
-            keep[t] = (ended[t] < k) & (far >= k);
+            keep[t] = (phase_one_layer[t] < k) & (far >= k);
             last = MAX(last, far);
         }
         pack_tasks(strip, all);
-        do_layer(a, &strip->layer, k, strip->tally.phase_two);
+        do_layer(run, &strip->layer, k, strip->tally.phase_two);
     }
 }
 //<
 
 //> Give every point a task
-static void begin(const struct advance *a, uint32_t first, uint32_t n)
+static void begin(const struct lockstep *run, uint32_t first,
+                  uint32_t n)
 {
-    const struct map *map = a->map;
+    const struct map *map = run->map;
     const struct axis x = map->grid->x, y = map->grid->y;
-    struct strip *s = a->strip;
+    struct strip *s = run->strip;
     const struct tasks all = s->all;
     const uint32_t *point = map->cells->point + first;
     s->first = first;
@@ -185,17 +188,17 @@ static void begin(const struct advance *a, uint32_t first, uint32_t n)
 }
 //<
 
-//> Advance a strip through both phases
-static void advance_strip(const struct advance *a, uint32_t first,
-                          uint32_t n, struct answers *answers)
+//> Take a strip through both phases
+static void search_strip(const struct lockstep *run, uint32_t first,
+                         uint32_t n, struct answers *answers)
 {
-    struct strip *strip = a->strip;
+    struct strip *strip = run->strip;
     const struct primitives *p = strip->primitives;
-    const uint32_t *point = a->map->cells->point + first;
-    begin(a, first, n);
-    phase_one(a);
-    bound_searches(a->map, strip);
-    phase_two(a);
+    const uint32_t *point = run->map->cells->point + first;
+    begin(run, first, n);
+    phase_one(run);
+    bound_searches(run->map, strip);
+    phase_two(run);
     p->scatter(answers->nearest2, strip->best2, point, n);
     p->scatter32(answers->nearest, strip->nearest, point, n);
     strip->tally.tasks += n;
@@ -203,10 +206,11 @@ static void advance_strip(const struct advance *a, uint32_t first,
 //<
 
 //> Share out the strips
-void advance_tasks(const struct question *question,
-                   const struct grid *grid, const struct cells *cells,
-                   const struct strip_plan *plan,
-                   struct answers *answers)
+void search_in_lockstep(const struct question *question,
+                        const struct grid *grid,
+                        const struct cells *cells,
+                        const struct strip_plan *plan,
+                        struct answers *answers)
 {
     const struct map map = {grid, cells, question->points,
                             question->space};
@@ -218,10 +222,10 @@ void advance_tasks(const struct question *question,
         strips[k] = strip_allocate(primitives(kernels->isa), length);
 #pragma omp parallel for num_threads(threads) schedule(dynamic)
     for (uint32_t k = 0; k <= (n - 1) / length; k++) {
-        struct advance a = {&map, kernels,
-                            &strips[omp_get_thread_num()]};
+        struct lockstep run = {&map, kernels,
+                               &strips[omp_get_thread_num()]};
         uint32_t first = k * length;
-        advance_strip(&a, first, MIN(n - first, length), answers);
+        search_strip(&run, first, MIN(n - first, length), answers);
     }
     //> Hand over the tallies
     struct tally sum = {0};

@@ -9,7 +9,7 @@
 // The multiplier's 1. A compiler that saw it would subtract.
 static const volatile double unit = 1;
 
-static inline double difference(double a, double b, double one)
+static inline double subtract_fused(double a, double b, double one)
 {
 #if defined __FMA__ || defined __ARM_FEATURE_FMA
     return fma(a, one, -b);

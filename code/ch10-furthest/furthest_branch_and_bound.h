@@ -1,8 +1,9 @@
 //> Search from outside
-// The search of furthest_cells.h, for each geometry, for eight lanes or
-// one. Nothing is lost to rounding, which keeps order: what is computed
-// with the borders of a cell bounds what is with a point in it. On a
-// ring, where two ways are compared, bounds have a guard besides.
+// The search of furthest_cells.h, a branch and bound, for each geometry
+// and for eight lanes or one. Nothing is lost to rounding, which keeps
+// order: what is computed with the borders of a cell bounds what is
+// with a point in it. On a ring, where two ways are compared, bounds
+// have a guard besides.
 #pragma once
 #include "ch10-furthest/far_batch.h"
 

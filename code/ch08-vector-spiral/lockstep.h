@@ -1,4 +1,4 @@
-//> Declare the advance in step
+//> Declare the search in lockstep
 // Spiral searches of many points in step (Su, figures 6 to 8): layer by
 // layer, in each layer cell by cell, in each cell point by point. All
 // tasks of a strip take the same steps, and those that have nothing to
@@ -16,8 +16,9 @@ struct strip_plan {
 
 // Answers all points, nearest only; of equal distances the lowest
 // index. Threads share out the strips.
-void advance_tasks(const struct question *question,
-                   const struct grid *grid, const struct cells *cells,
-                   const struct strip_plan *plan,
-                   struct answers *answers);
+void search_in_lockstep(const struct question *question,
+                        const struct grid *grid,
+                        const struct cells *cells,
+                        const struct strip_plan *plan,
+                        struct answers *answers);
 //<

@@ -4,7 +4,7 @@
 // those that reach outside of a circle, some 4 c; c points in a cell.
 // Both err where a corner of the grid has no points: for comparison
 // only.
-#include "ch10-furthest/border.h"
+#include "ch10-furthest/coursework_furthest.h"
 #include <stddef.h>
 
 enum { POINTS_PER_CHUNK = 256 };

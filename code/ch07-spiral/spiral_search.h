@@ -6,6 +6,7 @@
 // that meets the square of side 2D around the point. For points
 // scattered evenly that is a constant number of cells.
 #pragma once
+#include "ch02-all-pairs/pair.h"
 #include "ch04-cell-sort/cells.h"
 #include "ch07-spiral/search_range.h"
 
@@ -43,8 +44,9 @@ static inline struct spiral_query spiral_query_at(const struct map *map,
 //<
 
 //> Declare what is done at a cell
-// What to do at a cell: visit_cell, or what an experiment puts around
-// it. A constant at every call, so that it is compiled into the loops.
+// What to do at a cell: visit_cell, or a function that notes the cell
+// and calls it. A constant at every call, so that it is compiled into
+// the loops.
 typedef void spiral_visit(const enum geometry geometry,
                           const struct map *map, uint32_t cell,
                           struct spiral_query *query);
