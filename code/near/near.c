@@ -14,10 +14,8 @@
 #include "near/table.h"
 #include "near/threads.h"
 #include "near/write.h"
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 // One if it answers all that can be answered, else one for the nearest
 // and one for the furthest.
@@ -77,30 +75,12 @@ static struct summary answer(const struct algorithm *algorithm,
         times[trial] =
             answer_once(algorithm, *question, answers, &build);
         if (options->timing)
-            printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64
-                   "\n",
-                   *question->algorithm_name, question->points.n,
-                   question->threads, build, times[trial] - build,
-                   times[trial], counts.distances);
+            print_times(question, *question->algorithm_name, build,
+                        times[trial] - build, counts.distances);
     }
     struct summary summary = summarize(times, options->trials);
     free(times);
     return summary;
-}
-
-static bool report_check(FILE *out, const char *kind,
-                         struct verdict verdict, uint32_t n)
-{
-    if (verdict.wrong)
-        fprintf(out,
-                "check: %" PRIu32 " of %" PRIu32
-                " %s neighbors are wrong, the first that of "
-                "point %" PRIu32 "\n",
-                verdict.wrong, n, kind, verdict.first);
-    else
-        fprintf(out, "check: all %" PRIu32 " %s neighbors are right\n",
-                n, kind);
-    return verdict.wrong == 0;
 }
 
 static bool check(const struct options *options,
@@ -108,24 +88,15 @@ static bool check(const struct options *options,
                   const struct answers *answers)
 {
     uint32_t n = question->points.n;
-    bool busy = options->timing ||
-                (options->output && strcmp(options->output, "-") == 0);
-    FILE *out = busy ? stderr : stdout;
     struct verdicts found = check_answers(question, answers);
     bool right = true;
     if (answers->nearest)
-        right &= report_check(out, "nearest", found.nearest, n);
+        right &= report_check(options, "nearest neighbors",
+                              found.nearest, n);
     if (answers->furthest)
-        right &= report_check(out, "furthest", found.furthest, n);
+        right &= report_check(options, "furthest neighbors",
+                              found.furthest, n);
     return right;
-}
-
-static void print_times(const struct plan *plan, int threads)
-{
-    for (int k = 0; k < plan->count; k++)
-        printf("time      %.3g s, %s, at most %d thread%s\n",
-               1e-9 * plan->ns[k].median, plan->algorithm_name[k],
-               threads, threads > 1 ? "s" : "");
 }
 
 static int near(const struct options *options)
@@ -140,8 +111,7 @@ static int near(const struct options *options)
     if (options->output)
         write_open(options->output);
     if (options->timing)
-        puts("algorithm\tn\tthreads\tbuild_ns\tquery_ns\ttotal_ns\t"
-             "distances");
+        print_times_header();
     for (int k = 0; k < plan.count; k++) {
         plan.algorithm_name[k] = plan.algorithms[k]->name;
         question.algorithm_name = &plan.algorithm_name[k];
@@ -159,7 +129,9 @@ static int near(const struct options *options)
     }
     if (!options->output && !options->timing) {
         print_summary(options, &question, &answers);
-        print_times(&plan, question.threads);
+        for (int k = 0; k < plan.count; k++)
+            print_time(plan.algorithm_name[k], plan.ns[k].median,
+                       question.threads);
     }
     workspace_free(&workspace);
     answers_free(&answers);

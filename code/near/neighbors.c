@@ -16,7 +16,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 // Neighbors that are held at a time, of 12 bytes each; but a list is
 // held as a whole.
@@ -34,8 +33,8 @@ struct job {
     // What has come out.
     uint64_t found;
     double last; // sum of the distances to the last of each list
-    bool over, under;
-    uint32_t wrong, first_wrong;
+    bool overflow, underflow;
+    struct verdict verdict;
     double build_ns, query_ns;
     const char *algorithm_name;
 };
@@ -73,9 +72,10 @@ static void sum_up(struct job *job, const struct neighbor_lists *lists)
         const uint64_t end = list_start(lists, i + 1);
         for (uint64_t k = list_start(lists, i); k < end; k++) {
             const double d2 = lists->distance2[k];
-            job->over |= isinf(d2);
-            job->under |= d2 < DBL_MIN &&
-                          are_apart(&job->question, i, lists->index[k]);
+            job->overflow |= isinf(d2);
+            job->underflow |=
+                d2 < DBL_MIN &&
+                are_apart(&job->question, i, lists->index[k]);
         }
         if (end > list_start(lists, i))
             job->last += sqrt(lists->distance2[end - 1]);
@@ -98,9 +98,9 @@ static void fill_all(struct job *job, const struct plane_index *index,
         if (first) {
             sum_up(job, &lists);
             if (job->options->check)
-                job->wrong += check_lists(
+                job->verdict.wrong += check_lists(
                     &job->question, job->each ? INFINITY : job->reach2,
-                    &lists, &job->first_wrong);
+                    &lists, &job->verdict.first);
             if (job->options->output)
                 write_lists(job->kind, &lists, job->question.threads);
         }
@@ -121,8 +121,9 @@ static void count_all(struct job *job, const struct plane_index *index,
     for (uint32_t i = 0; i < n; i++)
         job->found += job->count[i];
     if (first && job->options->check)
-        job->wrong += check_counts(&job->question, job->reach2,
-                                   job->count, &job->first_wrong);
+        job->verdict.wrong +=
+            check_counts(&job->question, job->reach2, job->count,
+                         &job->verdict.first);
 }
 
 // The first trial gives the answers.
@@ -150,33 +151,13 @@ static void run_trial(struct job *job, bool first)
         write_counts(job->kind, job->count, job->question.points.n);
     workspace_release(workspace, mark);
     if (options->timing)
-        printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64 "\n",
-               job->algorithm_name, job->question.points.n,
-               job->question.threads, job->build_ns, job->query_ns,
-               job->build_ns + job->query_ns, counts.distances);
-}
-
-static void report_check(const struct job *job)
-{
-    const struct options *o = job->options;
-    const bool busy =
-        o->timing || (o->output && strcmp(o->output, "-") == 0);
-    FILE *out = busy ? stderr : stdout;
-    const uint32_t n = job->question.points.n;
-    const char *what = job->lists ? "lists of neighbors" : "counts";
-    if (job->wrong)
-        fprintf(out,
-                "check: %" PRIu32 " of %" PRIu32
-                " %s are wrong, the first that of point %" PRIu32 "\n",
-                job->wrong, n, what, job->first_wrong);
-    else
-        fprintf(out, "check: all %" PRIu32 " %s are right\n", n, what);
+        print_times(&job->question, job->algorithm_name, job->build_ns,
+                    job->query_ns, counts.distances);
 }
 
 static void summarize_lists(const struct job *job, double ns)
 {
     const double n = job->question.points.n;
-    const int threads = job->question.threads;
     print_summary(job->options, &job->question, &(struct answers){0});
     if (job->each)
         printf("neighbors %" PRIu32 " each, the last at %.7g on "
@@ -185,8 +166,7 @@ static void summarize_lists(const struct job *job, double ns)
     else
         printf("neighbors %.7g on average within %.7g\n",
                job->found / n, job->options->distance);
-    printf("time      %.3g s, %s, at most %d thread%s\n", 1e-9 * ns,
-           job->algorithm_name, threads, threads > 1 ? "s" : "");
+    print_time(job->algorithm_name, ns, job->question.threads);
 }
 
 static void run_trials(struct job *job)
@@ -194,8 +174,7 @@ static void run_trials(struct job *job)
     const struct options *options = job->options;
     double *times = allocate(options->trials, sizeof *times);
     if (options->timing)
-        puts("algorithm\tn\tthreads\tbuild_ns\tquery_ns\ttotal_ns\t"
-             "distances");
+        print_times_header();
     progress_start("searching", 0);
     for (int trial = 0; trial < options->trials; trial++) {
         run_trial(job, trial == 0);
@@ -204,9 +183,11 @@ static void run_trials(struct job *job)
     progress_stop();
     const struct summary summary = summarize(times, options->trials);
     free(times);
-    warn_of_squares(job->over, job->under);
+    warn_of_squares(job->overflow, job->underflow);
     if (options->check)
-        report_check(job);
+        report_check(options,
+                     job->lists ? "lists of neighbors" : "counts",
+                     job->verdict, job->question.points.n);
     if (!options->output && !options->timing)
         summarize_lists(job, summary.median);
 }
@@ -223,13 +204,13 @@ int answer_neighbors(const struct options *options)
                       .reach2 = options->distance * options->distance,
                       .each = MIN(options->k, n - 1),
                       .found = (uint64_t)n * MIN(options->k, n - 1),
-                      .first_wrong = NO_INDEX};
+                      .verdict.first = NO_INDEX};
     job.lists =
         options->k ||
         (!options->counts &&
          (options->output || options->check || options->timing));
-    job.over = isinf(job.reach2);
-    job.under = options->distance > 0 && job.reach2 < DBL_MIN;
+    job.overflow = isinf(job.reach2);
+    job.underflow = options->distance > 0 && job.reach2 < DBL_MIN;
     if (!options->k)
         job.count = allocate(n, sizeof *job.count);
     if (options->output) {
@@ -237,12 +218,12 @@ int answer_neighbors(const struct options *options)
         job.kind = table_kind(options->output);
     }
     run_trials(&job);
-    if (options->output && job.wrong == 0)
+    if (options->output && job.verdict.wrong == 0)
         write_close();
     else
         write_abandon(); // wrong answers are not worth a file
     free(job.count);
     workspace_free(&workspace);
     points_free(&points);
-    return job.wrong ? 1 : 0;
+    return job.verdict.wrong ? 1 : 0;
 }

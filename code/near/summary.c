@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 // Whether the closest images are in different places.
 bool are_apart(const struct question *question, uint32_t i, uint32_t j)
@@ -21,25 +22,25 @@ void warn_of_range(const struct question *question,
                    const struct answers *answers)
 {
     uint32_t *nearest = answers->nearest;
-    bool over = false, under = false;
+    bool overflow = false, underflow = false;
     for (uint32_t i = 0; i < question->points.n; i++) {
-        over |= answers->furthest && isinf(answers->furthest2[i]);
-        over |= nearest && isinf(answers->nearest2[i]);
-        under |= nearest && answers->nearest2[i] < DBL_MIN &&
-                 are_apart(question, i, nearest[i]);
+        overflow |= answers->furthest && isinf(answers->furthest2[i]);
+        overflow |= nearest && isinf(answers->nearest2[i]);
+        underflow |= nearest && answers->nearest2[i] < DBL_MIN &&
+                     are_apart(question, i, nearest[i]);
     }
-    warn_of_squares(over, under);
+    warn_of_squares(overflow, underflow);
 }
 
-void warn_of_squares(bool over, bool under)
+void warn_of_squares(bool overflow, bool underflow)
 {
-    if (over || under)
+    if (overflow || underflow)
         fprintf(stderr,
                 "near: warning: some points are too %s for their "
                 "squared distance, which is taken as %s; scale the "
                 "coordinates\n",
-                over ? "far apart" : "close together",
-                over ? "infinite" : "zero or nearly so");
+                overflow ? "far apart" : "close together",
+                overflow ? "infinite" : "zero or nearly so");
 }
 
 static void summarize_distances(const char *kind,
@@ -65,4 +66,42 @@ void print_summary(const struct options *options,
         summarize_distances("nearest", answers->nearest2, n);
     if (answers->furthest)
         summarize_distances("furthest", answers->furthest2, n);
+}
+
+bool report_check(const struct options *options, const char *what,
+                  struct verdict verdict, uint32_t n)
+{
+    const char *output = options->output;
+    const bool table =
+        options->timing || (output && strcmp(output, "-") == 0);
+    FILE *out = table ? stderr : stdout;
+    if (verdict.wrong)
+        fprintf(out,
+                "check: %" PRIu32 " of %" PRIu32
+                " %s are wrong, the first that of point %" PRIu32 "\n",
+                verdict.wrong, n, what, verdict.first);
+    else
+        fprintf(out, "check: all %" PRIu32 " %s are right\n", n, what);
+    return verdict.wrong == 0;
+}
+
+void print_times_header(void)
+{
+    puts("algorithm\tn\tthreads\tbuild_ns\tquery_ns\ttotal_ns\t"
+         "distances");
+}
+
+void print_times(const struct question *question,
+                 const char *algorithm_name, double build_ns,
+                 double query_ns, uint64_t distances)
+{
+    printf("%s\t%" PRIu32 "\t%d\t%.0f\t%.0f\t%.0f\t%" PRIu64 "\n",
+           algorithm_name, question->points.n, question->threads,
+           build_ns, query_ns, build_ns + query_ns, distances);
+}
+
+void print_time(const char *algorithm_name, double ns, int threads)
+{
+    printf("time      %.3g s, %s, at most %d thread%s\n", 1e-9 * ns,
+           algorithm_name, threads, threads > 1 ? "s" : "");
 }

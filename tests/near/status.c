@@ -8,6 +8,7 @@
 #include "harness.h"
 #include "status.h"
 #include <stdlib.h>
+#include <string.h>
 #include <sys/wait.h>
 
 struct verdicts find_a_mistake(const struct question *question,
