@@ -1,10 +1,10 @@
 // Nearest and furthest distances of uniform points in both geometries:
 // their means over several sets of points, or their histograms.
 //     distances means|histogram [POINTS [SETS]]
+#include "ch02-all-pairs/experiments/histogram.h"
 #include "ch02-all-pairs/tiles.h"
-#include "common/experiment.h"
 
-enum { KINDS = 4, BINS = 60, MOST_SETS = 100 };
+enum { KINDS = 4, MOST_SETS = 100 };
 
 static const char *const kinds[KINDS] = {
     "nearest_standard", "furthest_standard", "nearest_wraparound",
@@ -12,21 +12,11 @@ static const char *const kinds[KINDS] = {
 
 struct collection {
     double mean[KINDS][MOST_SETS]; // of each set of points
-    double bins[KINDS][BINS];      // share of the points
     double same[MOST_SETS]; // share whose nearest is furthest, wrapped
-    double low[KINDS], high[KINDS];
+    struct histogram histogram[KINDS];
 };
 
-static void put(struct collection *c, int kind, double distance,
-                double share)
-{
-    double place = (distance - c->low[kind]) /
-                   (c->high[kind] - c->low[kind]) * BINS;
-    if (place >= 0 && place < BINS)
-        c->bins[kind][(int)place] += share;
-}
-
-static void collect(struct collection *c, uint32_t n, int set, int sets)
+static void collect(struct collection *c, uint32_t n, int set)
 {
     struct question question = uniform_question(STANDARD, n, set + 1);
     question.threads = omp_get_num_procs();
@@ -38,8 +28,8 @@ static void collect(struct collection *c, uint32_t n, int set, int sets)
         for (uint32_t i = 0; i < n; i++) {
             double near = sqrt(answers->nearest2[i]);
             double far = sqrt(answers->furthest2[i]);
-            put(c, kind, near, 1.0 / n / sets);
-            put(c, kind + 1, far, 1.0 / n / sets);
+            histogram_add(&c->histogram[kind], near);
+            histogram_add(&c->histogram[kind + 1], far);
             nearest += near;
             furthest += far;
             same += answers->nearest[i] == answers->furthest[i];
@@ -75,38 +65,21 @@ static void print_means(const struct collection *c, int sets)
     print_mean("same", c->same, sets);
 }
 
-static void print_histograms(const struct collection *c)
-{
-    for (int bin = 0; bin < BINS; bin++) {
-        for (int kind = 0; kind < KINDS; kind++) {
-            double width = (c->high[kind] - c->low[kind]) / BINS;
-            row_cells("%s%.6g\t%.6g", kind ? "\t" : "",
-                      c->low[kind] + (bin + 0.5) * width,
-                      c->bins[kind][bin] / width);
-        }
-        row_end();
-    }
-}
-
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    const char *what = argc < 2 ? "" : argv[e.next++];
-    const bool means = strcmp(what, "means") == 0;
-    if (!means && strcmp(what, "histogram") != 0)
-        fail("say what to print: means or histogram");
+    const bool means = means_wanted(&e);
     uint32_t n = parameter(&e, "POINTS", 20000, 2, MANY);
     int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
 
     static struct collection c;
     double scale = 1 / sqrt(n);
-    c.low[0] = c.low[2] = 0;
-    c.high[0] = c.high[2] = 1.8 * scale;
-    c.low[1] = 0.7;
-    c.high[1] = c.high[3] = sqrt(2);
-    c.low[3] = sqrt(2) - 1.4 * scale;
+    c.histogram[0].high = c.histogram[2].high = 1.8 * scale;
+    c.histogram[1].low = 0.7;
+    c.histogram[1].high = c.histogram[3].high = sqrt(2);
+    c.histogram[3].low = sqrt(2) - 1.4 * scale;
     for (int set = 0; set < sets; set++)
-        collect(&c, n, set, sets);
+        collect(&c, n, set);
     print_header(&e,
                  means ? "name mean spread"
                        : "nearest_standard_at nearest_standard"
@@ -116,5 +89,5 @@ int main(int argc, char **argv)
     if (means)
         print_means(&c, sets);
     else
-        print_histograms(&c);
+        print_histograms(c.histogram, KINDS);
 }

@@ -39,16 +39,10 @@ static double time_placement(struct lanes *lanes, struct points c,
     return best;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void print_row(const char *name, double *ns, int count)
 {
     int slow = 0;
-    qsort(ns, count, sizeof *ns, by_size);
+    summarize(ns, count); // sorts them
     for (int k = 0; k < count; k++)
         slow += ns[k] > 2 * ns[0];
     row("%s\t%d\t%.4g\t%.4g\t%.4g\t%.4g\t%.4g", name, count, ns[0],

@@ -2,9 +2,9 @@
 // time that both answers took on all processors; or the histogram of
 // the furthest.
 //     means means|histogram [POINTS [SETS]]
-#include "common/experiment.h"
+#include "ch02-all-pairs/experiments/histogram.h"
 
-enum { BINS = 60, MOST_SETS = 100 };
+enum { MOST_SETS = 100 };
 
 // By the fastest algorithm for each; once, if that is the same.
 static void answer_both(const struct question *question,
@@ -18,17 +18,13 @@ static void answer_both(const struct question *question,
         far->run(question, answers);
 }
 
-// Of furthest distances, how many are in each of the bins between low
-// and high.
 struct sums {
-    double nearest, furthest;     // distances
-    double ns[MOST_SETS];         // for each set
-    double low, high, bins[BINS]; // of the furthest
-    double points;                // in all sets
+    double nearest, furthest; // distances
+    double ns[MOST_SETS];     // for each set
 };
 
 static void add_set(enum geometry geometry, uint32_t n, int set,
-                    struct sums *sums)
+                    struct sums *sums, struct histogram *histogram)
 {
     struct question question = uniform_question(geometry, n, set + 1);
     struct workspace workspace = {0};
@@ -43,37 +39,22 @@ static void add_set(enum geometry geometry, uint32_t n, int set,
         double far = sqrt(answers->furthest2[i]);
         sums->nearest += sqrt(answers->nearest2[i]);
         sums->furthest += far;
-        double place = (far - sums->low) / (sums->high - sums->low);
-        if (place >= 0 && place < 1)
-            sums->bins[(int)(place * BINS)]++;
+        histogram_add(histogram, far);
     }
-    sums->points += n;
     workspace_free(&workspace);
     forget();
 }
 
 static void print_means(struct sums sums[2], uint32_t n, int sets)
 {
+    const double points = (double)n * sets;
     for (int g = 0; g < 2; g++) {
         struct summary ns = summarize(sums[g].ns, sets);
         row_begin("%s_%u\t%u\t%d\t%d\t%.7g\t%.7g",
                   g ? "wraparound" : "standard", n, n, sets,
-                  omp_get_num_procs(), sums[g].nearest / sums[g].points,
-                  sums[g].furthest / sums[g].points);
+                  omp_get_num_procs(), sums[g].nearest / points,
+                  sums[g].furthest / points);
         row_times(&ns, 1);
-        row_end();
-    }
-}
-
-static void print_histograms(const struct sums sums[2])
-{
-    for (int bin = 0; bin < BINS; bin++) {
-        for (int g = 0; g < 2; g++) {
-            double width = (sums[g].high - sums[g].low) / BINS;
-            row_cells("%s%.6g\t%.6g", g ? "\t" : "",
-                      sums[g].low + (bin + 0.5) * width,
-                      sums[g].bins[bin] / sums[g].points / width);
-        }
         row_end();
     }
 }
@@ -81,18 +62,17 @@ static void print_histograms(const struct sums sums[2])
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    const char *what = argc < 2 ? "" : argv[e.next++];
-    const bool means = strcmp(what, "means") == 0;
-    if (!means && strcmp(what, "histogram") != 0)
-        fail("say what to print: means or histogram");
+    const bool means = means_wanted(&e);
     uint32_t n = parameter(&e, "POINTS", 100000, 2, MANY);
     int sets = parameter(&e, "SETS", 3, 1, MOST_SETS);
     static struct sums sums[2];
-    sums[0].low = 0.7, sums[0].high = sums[1].high = sqrt(2);
-    sums[1].low = sqrt(2) - 1.4 / sqrt(n);
+    static struct histogram furthest[2];
+    furthest[0].low = 0.7;
+    furthest[1].low = sqrt(2) - 1.4 / sqrt(n);
+    furthest[0].high = furthest[1].high = sqrt(2);
     for (int set = 0; set < sets; set++) {
-        add_set(STANDARD, n, set, &sums[0]);
-        add_set(WRAPAROUND, n, set, &sums[1]);
+        add_set(STANDARD, n, set, &sums[0], &furthest[0]);
+        add_set(WRAPAROUND, n, set, &sums[1], &furthest[1]);
     }
     print_header(
         &e, means ? "name n sets threads nearest furthest ns:3"
@@ -100,5 +80,5 @@ int main(int argc, char **argv)
     if (means)
         print_means(sums, n, sets);
     else
-        print_histograms(sums);
+        print_histograms(furthest, 2);
 }
