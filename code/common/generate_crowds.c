@@ -1,5 +1,5 @@
 //> Generate crowds
-// See generate_crowds.h. Sums, products, quotients and roots only, as
+// Draws points that crowd. Sums, products, quotients and roots only, as
 // in generate.c; so exp is a series here.
 #include "common/generate_crowds.h"
 #include "common/random.h"

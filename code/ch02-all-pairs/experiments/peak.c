@@ -1,6 +1,7 @@
-// See peak.h. Six times eight accumulators: twelve vectors of four. A
-// sum or product waits only for itself, and a minimum for its neighbor
-// as well, but both began at least half a round before.
+// Times a loop of one operation on registers only. Six times eight
+// accumulators: twelve vectors of four. A sum or product waits only for
+// itself, and a minimum for its neighbor as well, but both began at
+// least half a round before.
 #include "ch02-all-pairs/experiments/peak.h"
 #include "ch02-all-pairs/subtract_fused.h"
 #include "common/inlined.h"

@@ -1,5 +1,5 @@
-// See rows.h. The work of a trial is one call, for a question that the
-// driver keeps.
+// Wraps a search of some rows into a trial. The work of a trial is one
+// call, for a question that the driver keeps.
 #include "ch02-all-pairs/experiments/rows.h"
 
 struct run {

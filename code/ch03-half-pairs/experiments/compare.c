@@ -1,5 +1,5 @@
-// See compare.h. All versions write into the same answers; that these
-// are right is for the tests.
+// Times whole algorithms in turn and prints them. All versions write
+// into the same answers; that these are right is for the tests.
 #include "ch03-half-pairs/experiments/compare.h"
 
 void compare(const struct question *question, int trials,

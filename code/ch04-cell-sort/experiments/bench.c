@@ -1,5 +1,5 @@
-// See bench.h. A search is found by its name, and the context of its
-// trial is the bench.
+// Builds what each search needs, once. A search is found by its name,
+// and the context of its trial is the bench.
 #include "ch04-cell-sort/experiments/bench.h"
 #include "ch04-cell-sort/batches.h"
 #include "ch04-cell-sort/point_by_point.h"

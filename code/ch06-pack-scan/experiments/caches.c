@@ -1,4 +1,5 @@
-// See caches.h. What is not said stays an ordinary processor's.
+// Asks the system for the sizes of the caches. What is not said stays
+// an ordinary processor's.
 #include "ch06-pack-scan/experiments/caches.h"
 #include "common/report.h"
 #include <string.h>

@@ -1,5 +1,6 @@
-// See workload.h. A run goes over its arrays so often that it handles
-// a million elements or so, however short they are.
+// Fills arrays for a primitive and runs it on them. A run goes over its
+// arrays so often that it handles a million elements or so, however
+// short they are.
 #include "ch06-pack-scan/experiments/workload.h"
 
 enum { MOST_TABLES = 3 }; // priced in turn

@@ -1,5 +1,5 @@
-// See census.h. The search counts by itself, here in the order of the
-// cells.
+// Adds up what the searches of all points visit. The search counts by
+// itself, here in the order of the cells.
 #include "ch07-spiral/experiments/census.h"
 #include "algorithms.h"
 #include "ch07-spiral/spiral.h"

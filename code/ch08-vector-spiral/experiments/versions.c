@@ -1,5 +1,6 @@
-// See versions.h. Those in step differ in their kernels; the one point
-// by point has its queries in another order than the table's.
+// One function for each version to be timed. Those in step differ in
+// their kernels; the one point by point has its queries in another
+// order than the table's.
 #include "ch08-vector-spiral/experiments/versions.h"
 #include "ch07-spiral/spiral.h"
 #include "ch08-vector-spiral/by_primitives.h"

@@ -1,5 +1,6 @@
-// See expected_spans.h. Lengths are in sides of a cell. In a row of
-// cells the gaps between points are exponential, with mean 1/c.
+// Expects the candidates and the exact queries of a batch. Lengths are
+// in sides of a cell. In a row of cells the gaps between points are
+// exponential, with mean 1/c.
 #include "ch09-row-spans/experiments/expected_spans.h"
 #include <math.h>
 

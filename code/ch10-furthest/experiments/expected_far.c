@@ -1,5 +1,6 @@
-// See expected_far.h. Lengths are in sides of a cell; what is expected
-// is averaged over a lattice of places in the query's cell.
+// Expects how many cells the search from outside visits. Lengths are in
+// sides of a cell; what is expected is averaged over a lattice of
+// places in the query's cell.
 #include "ch10-furthest/experiments/expected_far.h"
 #include <math.h>
 
