@@ -40,7 +40,7 @@ struct interval {
 static struct interval interval_of(const struct scene *scene, int k,
                                    const uint32_t corner[3])
 {
-    const double *begin = scene->mesh.x[k], *end = scene->end[k];
+    const double *begin = scene->mesh.x[k], *end = scene->predicted[k];
     struct interval in = {INFINITY, -INFINITY};
     for (int c = 0; c < 3; c++) {
         const double a = begin[corner[c]], b = end[corner[c]];

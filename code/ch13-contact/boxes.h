@@ -11,9 +11,9 @@ struct boxes {
 };
 //<
 
-// The boxes of all triangles over the step from mesh.x to end; the room
-// for them is kept from step to step. {0} is empty; released with
-// boxes_free. Two triangles have a contact event at this tolerance
+// The boxes of all triangles over the step from mesh.x to predicted;
+// the room for them is kept from step to step. {0} is empty; released
+// with boxes_free. Two triangles have a contact event at this tolerance
 // (events.h) only if their boxes meet.
 void capture(struct boxes *boxes, const struct scene *scene,
              double tolerance, int threads);

@@ -92,7 +92,7 @@ static reader *reader_of(const char *name)
 void read_mesh(const char *name, struct mesh *mesh)
 {
     reader *read = reader_of(name);
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     struct stream stream = stream_open(name);
     stream_reserve(&stream, 2 * (size_t)LONGEST_LINE);
     struct lines lines = lines_of(&stream);

@@ -51,7 +51,7 @@ static void take_facet(struct lines *lines, struct mesh *mesh)
 //> Take all facets
 void read_stl_text(struct lines *lines, struct mesh *mesh)
 {
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     while (next_line(lines)) {
         if (is_line(lines, "facet"))
             take_facet(lines, mesh);
@@ -102,7 +102,7 @@ static void take_stl_triangle(const struct stream *stream, size_t at,
 //> Take triangles from a stream
 void read_stl_binary(struct stream *stream, struct mesh *mesh)
 {
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     const uint64_t count =
         (stream_size(stream) - STL_HEAD) / STL_TRIANGLE;
     size_t at = STL_HEAD;

@@ -71,7 +71,7 @@ void add_sphere(struct mesh *mesh, int cuts)
         {1, 10, 4},  {1, 6, 11}, {1, 11, 10}, {2, 5, 3},  {2, 3, 7},
         {2, 8, 5},   {2, 7, 9},  {2, 9, 8},   {3, 5, 10}, {3, 11, 7},
         {3, 10, 11}, {4, 5, 8},  {4, 10, 5},  {6, 9, 7},  {6, 7, 11}};
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     for (int t = 0; t < 20; t++) {
         struct place p[3];
         for (int k = 0; k < 3; k++)
@@ -151,7 +151,7 @@ void add_cloth(struct mesh *mesh, uint32_t cuts)
 
 void add_box(struct mesh *mesh, uint32_t cuts)
 {
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     for (int axis = 0; axis < 3; axis++) {
         add_sheet(mesh, cuts, axis, 1);
         add_sheet(mesh, cuts, axis, -1);

@@ -104,22 +104,24 @@ static void take_shape(struct reader *reader)
                "sphere, torus, box, cloth, file or gravity");
 }
 
-static void take_start(struct reader *reader, struct start *start)
+static void take_initial_state(struct reader *reader,
+                               struct initial_state *initial)
 {
     if (is_next(reader, "at"))
-        take_vector(reader, start->place, "at and three numbers");
+        take_vector(reader, initial->position, "at and three numbers");
     else if (is_next(reader, "size"))
-        start->size = take_number(reader, 1e-9, most_number,
-                                  "size and a number above 0");
+        initial->size = take_number(reader, 1e-9, most_number,
+                                    "size and a number above 0");
     else if (is_next(reader, "velocity"))
-        take_vector(reader, start->velocity,
+        take_vector(reader, initial->velocity,
                     "velocity and three numbers");
     else if (is_next(reader, "spin"))
-        take_vector(reader, start->spin, "spin and three numbers");
+        take_vector(reader, initial->angular_velocity,
+                    "spin and three numbers");
     else if (is_next(reader, "fixed"))
-        start->motion = FIXED;
+        initial->motion = FIXED;
     else if (is_next(reader, "soft"))
-        start->motion = SOFT;
+        initial->motion = SOFT;
     else
         reject(&reader->lines,
                "at, size, velocity, spin, fixed or soft");
@@ -135,12 +137,12 @@ static void take_line_of_scene(struct reader *reader)
             reject(&reader->lines, "gravity and three numbers");
         return;
     }
-    const struct mesh_end since = mesh_end(&reader->scene.mesh);
-    struct start start = {RIGID};
+    const struct mesh_mark since = mesh_mark(&reader->scene.mesh);
+    struct initial_state initial = {RIGID};
     take_shape(reader);
     while (reader->field)
-        take_start(reader, &start);
-    scene_add(&reader->scene, since, &start);
+        take_initial_state(reader, &initial);
+    scene_add(&reader->scene, since, &initial);
 }
 
 struct scene read_scene(const char *name)

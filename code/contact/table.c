@@ -29,7 +29,7 @@ void write_step(uint32_t step, const struct step_report *r)
         "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32,
         step, r->tested, r->candidates,
         r->candidates > 0 ? missed / (double)r->candidates : 0,
-        r->events, r->touches, r->stopped, r->rounds, r->asleep);
+        r->events, r->contacts, r->stopped, r->rounds, r->asleep);
     for (int phase = 0; phase < PHASES; phase++)
         used += snprintf(line + used, sizeof line - used, "\t%" PRId64,
                          r->ns[phase]);

@@ -71,7 +71,7 @@ static struct steps *steps_of(uint32_t n, bool whole, int trials)
         scene_predict(&scene, 1 + 0.01 * step, 1);
         for (int k = 0; k < 3; k++) { // at rest, there
             double *swap = scene.mesh.x[k];
-            scene.mesh.x[k] = scene.end[k];
+            scene.mesh.x[k] = scene.predicted[k];
             capture(&triangles, &scene, 1e-9, 1);
             scene.mesh.x[k] = swap;
         }

@@ -52,7 +52,7 @@ static void check_event(const struct event *event,
     CHECK(event->time >= 0 && event->time <= 1, "%s: time", what);
 }
 
-static bool meets(enum contact kind, const struct moving node[4],
+static bool meets(enum feature_kind kind, const struct moving node[4],
                   double tolerance, struct event *event,
                   struct event_counts *counts)
 {
@@ -142,7 +142,7 @@ static void plan_nodes(enum plan plan, struct moving node[4],
 }
 
 // Moves the first node so that there is contact at the time.
-static void plan_contact(enum contact kind, struct moving node[4],
+static void plan_contact(enum feature_kind kind, struct moving node[4],
                          double time, struct random *random)
 {
     const int i = random_bits(random) % 5;
@@ -363,7 +363,7 @@ void what_stays_apart_has_no_event(void)
     test_seed(1306);
     struct event_counts counts = {0};
     for (uint32_t i = 0; i < n; i++) {
-        const enum contact kind = i % 2;
+        const enum feature_kind kind = i % 2;
         const double tolerance = ldexp(1, -4 - (int)(i % 17));
         struct moving node[4];
         struct event event;
@@ -475,7 +475,7 @@ void scales_make_no_difference(void)
     test_seed(1307);
     static const double scales[] = {0x1p+200, 0x1p-200};
     for (uint32_t i = 0; i < n; i++) {
-        const enum contact kind = i % 2;
+        const enum feature_kind kind = i % 2;
         struct moving node[4], scaled[4];
         plan_nodes(i % PLANS, node, &random);
         plan_contact(kind, node, 0.75, &random);

@@ -81,7 +81,7 @@ static void equal_nodes_are_merged(void)
 {
     struct mesh m = {0};
     mesh_add_node(&m, 0, 0, 0);
-    const struct mesh_end since = mesh_end(&m);
+    const struct mesh_mark since = mesh_mark(&m);
     for (uint32_t k = 0; k < 2; k++) {
         const uint32_t a = mesh_add_node(&m, k ? -0.0 : 0.0, 0, 0);
         mesh_add_node(&m, 1, 0, 0);

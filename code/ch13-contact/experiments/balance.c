@@ -12,27 +12,14 @@
 
 static const int threads[] = {2, 4, 8, 16, 32, 64};
 
-static struct moving_triangle moving_of(const struct scene *scene,
-                                        uint32_t t)
-{
-    struct moving_triangle moving;
-    for (int c = 0; c < 3; c++) {
-        moving.node[c] = scene->mesh.corner[t][c];
-        for (int k = 0; k < 3; k++) {
-            const uint32_t i = moving.node[c];
-            moving.corner[c].begin[k] = scene->mesh.x[k][i];
-            moving.corner[c].end[k] = scene->end[k][i];
-        }
-    }
-    return moving;
-}
-
 static double work_of(const struct simulation *s, struct pair pair)
 {
     struct event event[MAX_EVENTS];
     struct event_counts counts = {0};
-    const struct moving_triangle p = moving_of(&s->scene, pair.one);
-    const struct moving_triangle q = moving_of(&s->scene, pair.other);
+    const struct moving_triangle p =
+        moving_triangle_of(&s->scene, pair.one);
+    const struct moving_triangle q =
+        moving_triangle_of(&s->scene, pair.other);
     if (kept_apart(&p, &q, s->tolerance))
         return 1;
     triangle_events(&p, &q, s->tolerance, event, &counts);

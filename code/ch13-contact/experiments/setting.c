@@ -37,8 +37,8 @@ double time_broad(struct simulation *s)
 static void turn_round(struct body *body, double side)
 {
     for (int k = 0; k < 3; k++)
-        if ((body->place[k] < 0 && body->velocity[k] < 0) ||
-            (body->place[k] > side && body->velocity[k] > 0))
+        if ((body->position[k] < 0 && body->velocity[k] < 0) ||
+            (body->position[k] > side && body->velocity[k] > 0))
             body->velocity[k] *= -1;
 }
 
@@ -50,11 +50,12 @@ void go_on(struct simulation *s)
         if (body->motion != RIGID)
             continue;
         const struct pose pose = pose_after(body, s->dt);
-        memcpy(body->place, pose.place, sizeof pose.place);
-        memcpy(body->turn, pose.turn, sizeof pose.turn);
+        memcpy(body->position, pose.position, sizeof pose.position);
+        memcpy(body->orientation, pose.orientation,
+               sizeof pose.orientation);
         turn_round(body, side);
     }
     for (int k = 0; k < 3; k++)
-        memcpy(s->scene.mesh.x[k], s->scene.end[k],
+        memcpy(s->scene.mesh.x[k], s->scene.predicted[k],
                s->scene.mesh.nodes * sizeof(double));
 }
