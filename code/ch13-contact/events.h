@@ -51,7 +51,7 @@ struct event_counts {
 // but for its nodes. A tolerance below 2^-40 of the largest coordinate
 // of a difference between the two counts as so much. Coordinates are
 // finite, at most MAX_EXACT of exact.h, the tolerance is at least
-// MIN_EXACT. Adds to *counts, unless that is NULL.
+// MIN_EXACT. Adds to *counts.
 bool node_meets_face(const struct moving *node,
                      const struct moving face[3], double tolerance,
                      struct event *event, struct event_counts *counts);

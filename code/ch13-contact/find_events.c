@@ -6,7 +6,7 @@
 // event several thousand.
 #include "ch13-contact/find_events.h"
 #include "ch13-contact/enlarge.h"
-#include "ch13-contact/kept_apart.h"
+#include "ch13-contact/separating_axis.h"
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -96,7 +96,7 @@ static void test_pair(const struct event_search *search,
     const struct moving_triangle q =
         moving_triangle_of(search->scene, pair.other);
     list->pairs++;
-    if (kept_apart(&p, &q, search->tolerance)) {
+    if (has_separating_axis(&p, &q, search->tolerance)) {
         list->apart++;
         return;
     }

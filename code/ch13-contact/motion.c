@@ -38,7 +38,8 @@ void place_nodes(const struct scene *scene, const struct body *body,
         turn_by(pose->orientation, local, turned);
         for (int k = 0; k < 3; k++)
             to[k][i] = tame(pose->position[k] + turned[k]);
-        if (!exact_range((double[]){to[0][i], to[1][i], to[2][i]}, 3))
+        if (!within_exact_bounds(
+                (double[]){to[0][i], to[1][i], to[2][i]}, 3))
             fail("body %u moves too far for exact tests",
                  (unsigned)(body - scene->body));
     }

@@ -21,7 +21,7 @@ void take_node(const struct lines *lines, const char *field,
             reject(lines, expected);
         field = next_field(field, ' ');
     }
-    if (!exact_range(x, 3))
+    if (!within_exact_bounds(x, 3))
         reject(lines, "coordinates that are 0 or not beyond 2^-280 and "
                       "2^280");
     mesh_add_node(mesh, x[0], x[1], x[2]);

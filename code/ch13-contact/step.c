@@ -6,8 +6,8 @@
 // candidates are found once, and a further round costs no more than to
 // search again those in which something has just come to rest.
 #include "ch13-contact/step.h"
-#include "ch13-contact/at_rest.h"
 #include "ch13-contact/motion.h"
+#include "ch13-contact/static_test.h"
 #include "common/allocate.h"
 #include "common/clock.h"
 #include <stdlib.h>

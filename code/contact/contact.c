@@ -1,6 +1,6 @@
 // The program contact: gets a scene, takes steps, and writes a table of
 // them, their events, their pictures, or a summary.
-#include "ch13-contact/at_rest.h"
+#include "ch13-contact/static_test.h"
 #include "common/fail.h"
 #include "contact/help.h"
 #include "contact/options.h"

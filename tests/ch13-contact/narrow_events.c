@@ -308,8 +308,8 @@ void sampled_contacts_are_found(void)
             make_scene(kind, &p, 0, &random);
             make_scene(kind, &q, 3, &random);
             const double meeting = first_meeting(&p, &q);
-            const size_t events =
-                triangle_events(&p, &q, TOLERANCE, event, NULL);
+            const size_t events = triangle_events(
+                &p, &q, TOLERANCE, event, &(struct event_counts){0});
             check_events(&p, &q, event, events);
             if (meeting == 0 || meeting > 1)
                 continue; // an event is no mistake
@@ -397,7 +397,8 @@ void a_bullet_hits_a_sheet(void)
             {3, 4, 5}};
         struct event event[MAX_EVENTS];
         const size_t n =
-            triangle_events(&sheet, &bullet, tolerance, event, NULL);
+            triangle_events(&sheet, &bullet, tolerance, event,
+                            &(struct event_counts){0});
         CHECK(n >= 3, "speed %g: %zu events", z, n);
         double first = 1;
         for (size_t i = 0; i < n; i++)
@@ -459,12 +460,17 @@ void shared_nodes_are_no_contact(void)
     const double begin[3] = {1, 2, 3}, end[3] = {1, 2, -1};
     memcpy(q.corner[2].begin, begin, sizeof begin);
     memcpy(q.corner[2].end, end, sizeof end);
-    if (CHECK_INT(1, triangle_events(&p, &q, 1e-6, event, NULL),
+    if (CHECK_INT(1,
+                  triangle_events(&p, &q, 1e-6, event,
+                                  &(struct event_counts){0}),
                   "folded")) {
         CHECK_NEAR(0.75, event[0].time, 1e-6, "time");
         CHECK_INT(3, event[0].node[0], "node");
     }
-    CHECK_INT(0, triangle_events(&p, &p, 1e-6, event, NULL), "itself");
+    CHECK_INT(
+        0,
+        triangle_events(&p, &p, 1e-6, event, &(struct event_counts){0}),
+        "itself");
 }
 
 // Powers of two change no digit of what is found.
@@ -486,8 +492,11 @@ void scales_make_no_difference(void)
                 scaled[k].end[x] = scale * node[k].end[x];
             }
         struct event one = {0}, other = {0};
-        CHECK(meets(kind, node, TOLERANCE, &one, NULL), "as it is");
-        CHECK(meets(kind, scaled, scale * TOLERANCE, &other, NULL),
+        CHECK(meets(kind, node, TOLERANCE, &one,
+                    &(struct event_counts){0}),
+              "as it is");
+        CHECK(meets(kind, scaled, scale * TOLERANCE, &other,
+                    &(struct event_counts){0}),
               "scaled");
         CHECK_DOUBLE(one.time, other.time, "time");
         for (int k = 0; k < 4; k++)

@@ -1,8 +1,8 @@
 // Scenes in motion: nothing is missed, and nothing crosses.
 #include "ch13-contact/exact.h"
-#include "ch13-contact/kept_apart.h"
 #include "ch13-contact/motion.h"
 #include "ch13-contact/scenes.h"
+#include "ch13-contact/separating_axis.h"
 #include "ch13-contact/shapes.h"
 #include "ch13-contact/step.h"
 #include "common/random.h"
@@ -156,9 +156,9 @@ void apart_means_no_event(void)
         const double tolerance = k % 2 ? 1e-9 : 0.03;
         draw_triangle(&p, 0, reach, &random);
         draw_triangle(&q, 3, reach, &random);
-        const bool apart = kept_apart(&p, &q, tolerance);
-        const size_t count =
-            triangle_events(&p, &q, tolerance, event, NULL);
+        const bool apart = has_separating_axis(&p, &q, tolerance);
+        const size_t count = triangle_events(&p, &q, tolerance, event,
+                                             &(struct event_counts){0});
         CHECK(!apart || count == 0, "case %u", k);
         told += apart;
         without += count == 0;

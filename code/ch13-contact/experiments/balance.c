@@ -6,7 +6,7 @@
 //
 //     balance [BODIES [STEPS]]
 #include "ch13-contact/experiments/setting.h"
-#include "ch13-contact/kept_apart.h"
+#include "ch13-contact/separating_axis.h"
 #include "common/chunk.h"
 #include "common/min_max.h"
 
@@ -20,7 +20,7 @@ static double work_of(const struct simulation *s, struct pair pair)
         moving_triangle_of(&s->scene, pair.one);
     const struct moving_triangle q =
         moving_triangle_of(&s->scene, pair.other);
-    if (kept_apart(&p, &q, s->tolerance))
+    if (has_separating_axis(&p, &q, s->tolerance))
         return 1;
     triangle_events(&p, &q, s->tolerance, event, &counts);
     return 1 + (double)counts.tests + (double)counts.pieces;
