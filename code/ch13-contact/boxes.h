@@ -20,15 +20,19 @@ void capture(struct boxes *boxes, const struct scene *scene,
 void boxes_reserve(struct boxes *boxes, uint32_t n);
 void boxes_free(struct boxes *boxes);
 
+// Makes box i of to the smallest around boxes begin to end - 1 of of.
+void boxes_unite(struct boxes *to, uint32_t i, const struct boxes *of,
+                 uint32_t begin, uint32_t end);
+
 //> Test whether two boxes meet
-// To touch is to meet.
-static inline bool boxes_meet(const struct boxes *boxes, uint32_t i,
-                              uint32_t j)
+// Box i of the ones and box j of the others. To touch is to meet.
+static inline bool box_meets(const struct boxes *ones, uint32_t i,
+                             const struct boxes *others, uint32_t j)
 {
     bool meet = true;
     for (int k = 0; k < 3; k++)
-        meet &= (boxes->low[k][i] <= boxes->high[k][j]) &
-                (boxes->low[k][j] <= boxes->high[k][i]);
+        meet &= (ones->low[k][i] <= others->high[k][j]) &
+                (others->low[k][j] <= ones->high[k][i]);
     return meet;
 }
 //<

@@ -12,10 +12,10 @@ static double between(struct random *random, double low, double high)
     return low + (high - low) * random_uniform(random);
 }
 
-static void draw_vector(struct random *random, double most, double x[3])
+static void draw_vector(struct random *random, double max, double x[3])
 {
     for (int k = 0; k < 3; k++)
-        x[k] = between(random, -most, most);
+        x[k] = between(random, -max, max);
 }
 //<
 
@@ -76,7 +76,7 @@ static void add_walls(struct scene *scene, double half, double height)
     for (int wall = 0; wall < 5; wall++) {
         const struct mesh_mark since = mesh_mark(&scene->mesh);
         struct mesh *mesh = &scene->mesh;
-        add_cloth(mesh, 1);
+        add_square_sheet(mesh, 1);
         for (uint32_t i = since.node; i < mesh->nodes; i++) {
             const double u = half * mesh->x[0][i];
             const double v = mesh->x[1][i];
@@ -126,7 +126,7 @@ static void fill_bullet(struct scene *scene, uint32_t size,
 {
     (void)seed;
     struct mesh_mark since = mesh_mark(&scene->mesh);
-    add_cloth(&scene->mesh, size);
+    add_square_sheet(&scene->mesh, size);
     scene_add(scene, since, &(struct initial_state){FIXED, 2});
     since = mesh_mark(&scene->mesh);
     add_sphere(&scene->mesh, 1);
@@ -145,7 +145,7 @@ static void fill_cloth(struct scene *scene, uint32_t size,
 {
     (void)seed;
     const struct mesh_mark since = mesh_mark(&scene->mesh);
-    add_cloth(&scene->mesh, size);
+    add_square_sheet(&scene->mesh, size);
     scene_add(scene, since, &(struct initial_state){SOFT, 4});
     scene_complete(scene);
     const struct mesh *mesh = &scene->mesh;

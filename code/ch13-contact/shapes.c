@@ -144,7 +144,7 @@ static void add_sheet(struct mesh *mesh, uint32_t cuts, int axis,
             add_square(mesh, l, i, j);
 }
 
-void add_cloth(struct mesh *mesh, uint32_t cuts)
+void add_square_sheet(struct mesh *mesh, uint32_t cuts)
 {
     add_sheet(mesh, cuts, 2, 0);
 }

@@ -20,5 +20,5 @@ void add_box(struct mesh *mesh, uint32_t cuts);
 
 // A square sheet of side 2 in the plane z = 0, of cuts by cuts squares:
 // 2 cuts^2 triangles.
-void add_cloth(struct mesh *mesh, uint32_t cuts);
+void add_square_sheet(struct mesh *mesh, uint32_t cuts);
 //<

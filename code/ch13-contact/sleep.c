@@ -42,8 +42,11 @@ void sleepers_free(struct sleepers *sleepers)
 //<
 
 //> See whether a body has left its place
-// By more than a hundredth of its reach. Two quaternions that differ by
-// d turn a node to places that are at most 2 d times the reach apart.
+// By more than LEEWAY, a share of its reach. Two quaternions that
+// differ by d turn a node to places that are at most 2 d times the
+// reach apart.
+static const double LEEWAY = 0.01;
+
 static bool has_left(const struct body *body, const struct rest *rest)
 {
     double way2 = 0, turn2 = 0;
@@ -57,7 +60,7 @@ static bool has_left(const struct body *body, const struct rest *rest)
         turn2 += turn * turn;
     }
     return sqrt(way2) + 2 * rest->reach * sqrt(turn2) >
-           0.01 * rest->reach;
+           LEEWAY * rest->reach;
 }
 //<
 

@@ -19,13 +19,13 @@ static const double FRICTION = 0.4;
 enum { MAX_AGE = 8, ROUNDS = 10, PATIENCE = 16 };
 
 struct simulation simulation_of(struct scene scene,
-                                const struct broad *broad, double dt,
-                                int threads)
+                                const struct broad_phase *phase,
+                                double dt, int threads)
 {
     return (struct simulation){
         .scene = scene,
-        .broad = broad,
-        .kept = broad->begin(broad),
+        .broad_phase = phase,
+        .kept = phase->begin(phase),
         .dt = dt,
         .tolerance = DEFAULT_TOLERANCE,
         .threads = threads,
@@ -39,7 +39,7 @@ struct simulation simulation_of(struct scene scene,
 
 void simulation_free(struct simulation *s)
 {
-    s->broad->end(s->kept);
+    s->broad_phase->end(s->kept);
     scene_free(&s->scene);
     boxes_free(&s->boxes);
     pairs_free(&s->pairs);
@@ -171,7 +171,7 @@ static void search_boxes(struct simulation *s)
 {
     const struct broad_search search = {&s->boxes, s->scene.group,
                                         &s->pairs, s->threads};
-    find_pairs(s->broad, s->kept, &search);
+    find_pairs(s->broad_phase, s->kept, &search);
 }
 
 static void search_pairs(struct simulation *s)

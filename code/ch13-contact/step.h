@@ -3,7 +3,7 @@
 // find pairs of boxes that meet, find events among these pairs; then
 // handle the events, and advance.
 #pragma once
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 #include "ch13-contact/respond.h"
 #include "ch13-contact/sleep.h"
 
@@ -34,8 +34,8 @@ static const double DEFAULT_TOLERANCE = 1e-9;
 // beginning; then they are apart after every step.
 struct simulation {
     struct scene scene;
-    const struct broad *broad;
-    void *kept; // by the broad phase
+    const struct broad_phase *broad_phase;
+    void *kept; // by it
     double dt, tolerance;
     int threads;
     bool passive; // events are found, and not handled
@@ -52,8 +52,8 @@ struct simulation {
 // Takes a complete scene, whose owner it is from then on, and works by
 // so many threads. Released with simulation_free.
 struct simulation simulation_of(struct scene scene,
-                                const struct broad *broad, double dt,
-                                int threads);
+                                const struct broad_phase *phase,
+                                double dt, int threads);
 void simulation_free(struct simulation *simulation);
 
 struct step_report take_step(struct simulation *simulation);

@@ -17,23 +17,23 @@ struct reader {
 };
 
 // Beyond that, squares of coordinates say nothing any more.
-static const double most_number = 1e9;
+static const double MAX_NUMBER = 1e9;
 
-static double take_number(struct reader *reader, double least,
-                          double most, const char *expected)
+static double take_number(struct reader *reader, double min, double max,
+                          const char *expected)
 {
     double number;
     if (!reader->field || !read_number(reader->field, ' ', &number) ||
-        !(number >= least && number <= most))
+        !(number >= min && number <= max))
         reject(&reader->lines, expected);
     reader->field = next_field(reader->field, ' ');
     return number;
 }
 
-static uint32_t take_whole(struct reader *reader, double least,
-                           double most, const char *expected)
+static uint32_t take_whole(struct reader *reader, double min,
+                           double max, const char *expected)
 {
-    const double number = take_number(reader, least, most, expected);
+    const double number = take_number(reader, min, max, expected);
     if (number != floor(number))
         reject(&reader->lines, expected);
     return (uint32_t)number;
@@ -43,7 +43,7 @@ static void take_vector(struct reader *reader, double x[3],
                         const char *expected)
 {
     for (int k = 0; k < 3; k++)
-        x[k] = take_number(reader, -most_number, most_number, expected);
+        x[k] = take_number(reader, -MAX_NUMBER, MAX_NUMBER, expected);
 }
 
 static bool is_next(struct reader *reader, const char *word)
@@ -95,8 +95,9 @@ static void take_shape(struct reader *reader)
         add_box(mesh, take_whole(reader, 1, 1000,
                                  "box and its cuts, 1 to 1000"));
     else if (is_next(reader, "cloth"))
-        add_cloth(mesh, take_whole(reader, 1, 1000,
-                                   "cloth and its cuts, 1 to 1000"));
+        add_square_sheet(mesh,
+                         take_whole(reader, 1, 1000,
+                                    "cloth and its cuts, 1 to 1000"));
     else if (is_next(reader, "file"))
         take_file(reader);
     else
@@ -110,7 +111,7 @@ static void take_initial_state(struct reader *reader,
     if (is_next(reader, "at"))
         take_vector(reader, initial->position, "at and three numbers");
     else if (is_next(reader, "size"))
-        initial->size = take_number(reader, 1e-9, most_number,
+        initial->size = take_number(reader, 1e-9, MAX_NUMBER,
                                     "size and a number above 0");
     else if (is_next(reader, "velocity"))
         take_vector(reader, initial->velocity,

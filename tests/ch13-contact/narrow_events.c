@@ -257,25 +257,25 @@ enum { SCENES = 6 };
 static void make_scene(int kind, struct moving_triangle *p,
                        uint32_t number, struct random *random)
 {
-    const int most = kind == 2 ? 2 : 1 << 12;
+    const int max = kind == 2 ? 2 : 1 << 12;
     const double unit = kind == 2 ? 0.5 : 0x1p-12;
     double shift[3];
     for (int x = 0; x < 3; x++) {
-        shift[x] = unit * pick(random, most);
-        double middle = kind == 5 ? unit * pick(random, most / 4) : 0;
+        shift[x] = unit * pick(random, max);
+        double middle = kind == 5 ? unit * pick(random, max / 4) : 0;
         for (int k = 0; k < 3; k++) {
             double *begin = p->corner[k].begin, *end = p->corner[k].end;
             begin[x] = middle + (kind == 5 ? 0.125 : 1) * unit *
-                                    pick(random, most);
+                                    pick(random, max);
             end[x] = kind == 4 ? begin[x]
-                               : begin[x] + unit * pick(random, most);
+                               : begin[x] + unit * pick(random, max);
             if (kind == 3 && x == 2)
                 begin[x] = end[x] = shift[x] = 0;
             p->node[k] = number + k;
         }
     }
     if (kind == 1 || kind == 5)
-        move_rigidly(p, unit * pick(random, most), shift);
+        move_rigidly(p, unit * pick(random, max), shift);
     if (kind == 2)
         move_rigidly(p, 0, shift);
 }

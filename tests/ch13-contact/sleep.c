@@ -23,12 +23,12 @@ static struct simulation over_a_floor(bool ball, double size,
 {
     struct scene scene = {.gravity = {0, 0, -10}};
     const struct mesh_mark since = mesh_mark(&scene.mesh);
-    add_cloth(&scene.mesh, 1);
+    add_square_sheet(&scene.mesh, 1);
     scene_add(&scene, since, &(struct initial_state){FIXED, 9});
     put(&scene, false, 0.5, 0.6);
     put(&scene, ball, size, height);
     scene_complete(&scene);
-    return simulation_of(scene, find_broad("clusters"), 0.01, 1);
+    return simulation_of(scene, find_broad_phase("clusters"), 0.01, 1);
 }
 
 void a_blow_wakes_a_body(void)
@@ -91,8 +91,9 @@ void a_heap_rests_for_long(void)
 {
     const uint32_t steps = at_most("MOST_CASES", 3000);
     const struct built_in *pile = find_built_in("pile");
-    struct simulation s = simulation_of(
-        build_scene(pile, 10, 2), find_broad("clusters"), pile->dt, 1);
+    struct simulation s =
+        simulation_of(build_scene(pile, 10, 2),
+                      find_broad_phase("clusters"), pile->dt, 1);
     uint64_t awake = 0, pairs = 0;
     for (uint32_t step = 1; step <= steps; step++) {
         const struct step_report report = take_step(&s);

@@ -15,8 +15,8 @@ static struct simulation simulate(const char *scene, uint32_t size,
                                   const char *broad, int threads)
 {
     const struct built_in *kind = find_built_in(scene);
-    return simulation_of(build_scene(kind, size, 2), find_broad(broad),
-                         kind->dt, threads);
+    return simulation_of(build_scene(kind, size, 2),
+                         find_broad_phase(broad), kind->dt, threads);
 }
 
 static bool same_events(const struct events *a, const struct events *b)
@@ -41,7 +41,7 @@ static void pair_all(const struct scene *scene, struct pairs *pairs)
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t j = i + 1; j < n; j++)
             if (scene->group[i] != scene->group[j] ||
-                scene->group[i] == UINT32_MAX)
+                scene->group[i] == NO_INDEX)
                 pair_add(&pairs->list[0], i, j);
     pairs_gather(pairs, n);
 }
@@ -58,7 +58,7 @@ static void compare_with_all_pairs(struct simulation *s,
     capture(&s->boxes, &s->scene, tolerance, 1);
     const struct broad_search search = {&s->boxes, s->scene.group,
                                         &s->pairs, 1};
-    find_pairs(s->broad, s->kept, &search);
+    find_pairs(s->broad_phase, s->kept, &search);
     pair_all(&s->scene, &pairs);
     memset(s->stopped_in_round, 0,
            s->scene.mesh.nodes * sizeof *s->stopped_in_round);
@@ -103,7 +103,7 @@ void boxes_have_their_margin(void)
         const double tolerance = tight ? 1e-12 : 0.05;
         capture(&s.boxes, &s.scene, tolerance, 1);
         for (uint32_t t = 0; t < s.boxes.n; t++) {
-            double least = INFINITY, width = 0;
+            double margin = INFINITY, width = 0;
             for (int k = 0; k < 3; k++) {
                 double low = INFINITY, high = -INFINITY;
                 for (int c = 0; c < 6; c++) {
@@ -113,12 +113,12 @@ void boxes_have_their_margin(void)
                     low = fmin(low, x[i]);
                     high = fmax(high, x[i]);
                 }
-                least = fmin(least, low - s.boxes.low[k][t]);
-                least = fmin(least, s.boxes.high[k][t] - high);
+                margin = fmin(margin, low - s.boxes.low[k][t]);
+                margin = fmin(margin, s.boxes.high[k][t] - high);
                 width = fmax(width, high - low);
             }
-            CHECK(least >= 0.5 * tolerance + 0x1p-29 * width,
-                  "box %u: margin %g at width %g", t, least, width);
+            CHECK(margin >= 0.5 * tolerance + 0x1p-29 * width,
+                  "box %u: margin %g at width %g", t, margin, width);
         }
     }
     simulation_free(&s);
@@ -264,11 +264,11 @@ void a_resting_cloth_has_no_contact(void)
 {
     struct scene scene = {0};
     const struct mesh_mark since = mesh_mark(&scene.mesh);
-    add_cloth(&scene.mesh, 10);
+    add_square_sheet(&scene.mesh, 10);
     scene_add(&scene, since, &(struct initial_state){SOFT});
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad("kd-tree"), 0.01, 1);
+        simulation_of(scene, find_broad_phase("kd-tree"), 0.01, 1);
     const struct step_report report = take_step(&s);
     CHECK(report.candidates >= 200, "neighbors are candidates");
     CHECK_INT(0, report.events, "and touch nothing");
@@ -299,7 +299,7 @@ void bodies_turn(void)
                   RIGID, 0.5, .angular_velocity = {0, 0, acos(0)}});
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad("clusters"), 1e-3, 1);
+        simulation_of(scene, find_broad_phase("clusters"), 1e-3, 1);
     for (int step = 0; step < 1000; step++)
         take_step(&s);
     const struct mesh *m = &s.scene.mesh;
@@ -329,7 +329,7 @@ static double way_of_near_boxes(double gap)
     }
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad("clusters"), 0.01, 1);
+        simulation_of(scene, find_broad_phase("clusters"), 0.01, 1);
     CHECK_INT(0, count_crossing(&s), "at first");
     const double begin = s.scene.body[1].position[0];
     for (int step = 0; step < 10; step++)

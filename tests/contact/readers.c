@@ -71,7 +71,7 @@ static void shapes_are_closed(void)
     }
     add_box(&m, 3);
     CHECK_NEAR(48, volume6(&m), 1e-9, "six times the volume of a box");
-    add_cloth(&m, 5);
+    add_square_sheet(&m, 5);
     CHECK_INT(108 + 50, m.triangles, "box and cloth");
     CHECK_INT(56 + 36, m.nodes, "box and cloth");
     mesh_free(&m);

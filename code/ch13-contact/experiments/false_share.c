@@ -12,7 +12,7 @@ static const double steps[] = {0.0001, 0.001, 0.003, 0.01,
 static void print_share(double dt, uint32_t triangles)
 {
     struct simulation s =
-        cloud_of(triangles, false, find_broad("clusters"), dt);
+        cloud_of(triangles, false, find_broad_phase("clusters"), dt);
     const struct step_report report = take_step(&s);
     const double n = s.scene.mesh.triangles;
     const double all = (double)report.candidates;

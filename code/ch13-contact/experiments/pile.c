@@ -51,9 +51,10 @@ int main(int argc, char **argv)
     const uint32_t steps = parameter(&e, "STEPS", 300, 1, MANY);
     const uint32_t rows = parameter(&e, "ROWS", 30, 1, MANY);
     const struct built_in *pile = find_built_in("pile");
-    struct simulation s = simulation_of(
-        build_scene(pile, bodies, 1), find_broad("clusters"), pile->dt,
-        2); // counts, no times
+    struct simulation s =
+        simulation_of(build_scene(pile, bodies, 1),
+                      find_broad_phase("clusters"), pile->dt,
+                      2); // counts, no times
     const uint32_t gap = (steps + rows - 1) / rows;
     uint64_t crossing = 0;
     columns(
