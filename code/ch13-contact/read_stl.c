@@ -24,9 +24,7 @@ static bool is_line(const struct lines *lines, const char *word)
 
 static void need_word(struct lines *lines, const char *word)
 {
-    if (!next_line(lines))
-        fail("%s:%zu: expected %s, found the end of the file",
-             lines->stream->name, lines->number + 1, word);
+    need_line(lines, word);
     if (!is_line(lines, word))
         reject(lines, word);
 }
@@ -69,8 +67,7 @@ void read_stl_text(struct lines *lines, struct mesh *mesh)
 // the lowest byte first.
 static float take_float(const unsigned char *b)
 {
-    const uint32_t bits =
-        b[0] | b[1] << 8 | b[2] << 16 | (uint32_t)b[3] << 24;
+    const uint32_t bits = low_byte_first(b);
     float number;
     memcpy(&number, &bits, sizeof number);
     return number;
@@ -78,7 +75,7 @@ static float take_float(const unsigned char *b)
 //<
 
 //> Take three corners from bytes
-enum { STL_HEAD = 84, STL_TRIANGLE = 50, STL_NORMAL = 12 };
+enum { STL_NORMAL = 12 };
 
 static void take_stl_triangle(const struct stream *stream, size_t at,
                               uint64_t t, struct mesh *mesh)

@@ -1,7 +1,7 @@
 //> Declare the shapes
 // Bodies to try things on, added to the end of a mesh, their middle at
-// the origin, all but the cloth closed. Corners are counterclockwise
-// seen from outside.
+// the origin, all but the square sheet closed. Corners are
+// counterclockwise seen from outside.
 #pragma once
 #include "ch13-contact/mesh.h"
 

@@ -5,7 +5,6 @@
 #include "ch13-contact/shapes.h"
 #include "common/fail.h"
 #include "common/fields.h"
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,13 +29,13 @@ static double take_number(struct reader *reader, double min, double max,
     return number;
 }
 
-static uint32_t take_whole(struct reader *reader, double min,
+static uint32_t take_count(struct reader *reader, double min,
                            double max, const char *expected)
 {
-    const double number = take_number(reader, min, max, expected);
-    if (number != floor(number))
-        reject(&reader->lines, expected);
-    return (uint32_t)number;
+    const uint32_t count =
+        take_whole(&reader->lines, reader->field, min, max, expected);
+    reader->field = next_field(reader->field, ' ');
+    return count;
 }
 
 static void take_vector(struct reader *reader, double x[3],
@@ -78,8 +77,8 @@ static void take_torus(struct reader *reader)
                                    "two numbers of sides from 3 "
                                    "to 10000";
     const double tube = take_number(reader, 1e-6, 1e6, expected);
-    const uint32_t around = take_whole(reader, 3, 10000, expected);
-    const uint32_t across = take_whole(reader, 3, 10000, expected);
+    const uint32_t around = take_count(reader, 3, 10000, expected);
+    const uint32_t across = take_count(reader, 3, 10000, expected);
     add_torus(&reader->scene.mesh, tube, around, across);
 }
 
@@ -87,16 +86,16 @@ static void take_shape(struct reader *reader)
 {
     struct mesh *mesh = &reader->scene.mesh;
     if (is_next(reader, "sphere"))
-        add_sphere(mesh, take_whole(reader, 0, 8,
+        add_sphere(mesh, take_count(reader, 0, 8,
                                     "sphere and its cuts, 0 to 8"));
     else if (is_next(reader, "torus"))
         take_torus(reader);
     else if (is_next(reader, "box"))
-        add_box(mesh, take_whole(reader, 1, 1000,
+        add_box(mesh, take_count(reader, 1, 1000,
                                  "box and its cuts, 1 to 1000"));
     else if (is_next(reader, "cloth"))
         add_square_sheet(mesh,
-                         take_whole(reader, 1, 1000,
+                         take_count(reader, 1, 1000,
                                     "cloth and its cuts, 1 to 1000"));
     else if (is_next(reader, "file"))
         take_file(reader);
