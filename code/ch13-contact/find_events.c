@@ -119,6 +119,8 @@ int compare_features(const struct event *a, const struct event *b)
     return 0;
 }
 
+// By all that they are: which of several equal ones is kept must not
+// depend on which thread found it.
 static int compare_events(const void *one, const void *other)
 {
     const struct event *a = one, *b = other;
@@ -130,6 +132,9 @@ static int compare_events(const void *one, const void *other)
     for (int k = 0; k < 4; k++)
         if (a->weight[k] != b->weight[k])
             return a->weight[k] > b->weight[k] ? 1 : -1;
+    for (int k = 0; k < 3; k++)
+        if (a->point[k] != b->point[k])
+            return a->point[k] > b->point[k] ? 1 : -1;
     return 0;
 }
 //<

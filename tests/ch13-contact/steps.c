@@ -27,7 +27,8 @@ static bool same_events(const struct events *a, const struct events *b)
         const struct event *x = &a->all.event[e];
         const struct event *y = &b->all.event[e];
         if (compare_features(x, y) != 0 || x->time != y->time ||
-            memcmp(x->weight, y->weight, sizeof x->weight) != 0)
+            memcmp(x->weight, y->weight, sizeof x->weight) != 0 ||
+            memcmp(x->point, y->point, sizeof x->point) != 0)
             return false;
     }
     return true;
