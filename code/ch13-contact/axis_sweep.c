@@ -22,17 +22,17 @@ struct axis_sweep {
 //<
 
 //> Keep a sweep
-void *begin_sweep(const struct broad *broad)
+void *begin_sweep(const struct broad_phase *phase)
 {
-    (void)broad;
+    (void)phase;
     struct axis_sweep *sweep = allocate(1, sizeof *sweep);
     *sweep = (struct axis_sweep){0};
     return sweep;
 }
 
-void *begin_sweep_kept(const struct broad *broad)
+void *begin_sweep_kept(const struct broad_phase *phase)
 {
-    struct axis_sweep *sweep = begin_sweep(broad);
+    struct axis_sweep *sweep = begin_sweep(phase);
     sweep->kept = true;
     return sweep;
 }
@@ -52,7 +52,7 @@ void end_sweep(void *kept)
 static int axis_of(const struct boxes *boxes)
 {
     int axis = 0;
-    double most = -1;
+    double max_variance = -1;
     for (int k = 0; k < 3; k++) {
         const double *x = boxes->low[k];
         double sum = 0, squares = 0;
@@ -61,8 +61,8 @@ static int axis_of(const struct boxes *boxes)
             squares += (x[t] - x[0]) * (x[t] - x[0]);
         }
         const double variance = squares - sum * sum / boxes->n;
-        if (variance > most) {
-            most = variance;
+        if (variance > max_variance) {
+            max_variance = variance;
             axis = k;
         }
     }
@@ -117,7 +117,8 @@ static void look_ahead(const struct broad_search *search,
     for (; s < b->n && low[s] <= end; s++)
         if ((b->low[u][s] <= high_u) & (b->high[u][s] >= low_u) &
             (b->low[v][s] <= high_v) & (b->high[v][s] >= low_v))
-            consider(search, list, sweep->order[r], sweep->order[s]);
+            add_if_overlapping(search, list, sweep->order[r],
+                               sweep->order[s]);
     list->tested += s - r - 1;
 }
 //<

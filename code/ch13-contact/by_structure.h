@@ -5,9 +5,9 @@
 // corner there. Where widths differ, so that one giant would enlarge
 // all queries, boxes are parted into classes of size.
 #pragma once
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 
-void *begin_structure(const struct broad *broad);
+void *begin_structure(const struct broad_phase *phase);
 void find_by_structure(void *kept, const struct broad_search *search);
 void end_structure(void *kept);
 //<

@@ -3,10 +3,11 @@
 // not, the boxes of clusters are larger, and the pairs the same.
 // Clusters of the same rigid body are never compared, and so most of
 // the work that triangles would have with their own body is not done.
+// A triangle costs one test of boxes for each cluster that its own one
+// meets, and one for each triangle that reaches into its cluster's box.
 #include "ch13-contact/clusters.h"
 #include "common/allocate.h"
-#include "common/min_max.h"
-#include <math.h>
+#include "common/points.h"
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,18 +19,20 @@ struct clusters {
     uint32_t room;   // for triangles
     uint32_t n;      // clusters
     struct boxes boxes;
-    struct pairs pairs;        // of clusters
-    const struct broad *above; // finds these
-    void *kept;                // by it
+    struct pairs pairs;                      // of clusters
+    const struct broad_phase *cluster_phase; // finds these
+    void *kept;                              // by it
 };
 //<
 
 //> Keep clusters
-void *begin_clusters(const struct broad *broad)
+void *begin_clusters(const struct broad_phase *phase)
 {
     struct clusters *clusters = allocate(1, sizeof *clusters);
-    *clusters = (struct clusters){.above = find_broad(broad->detail)};
-    clusters->kept = clusters->above->begin(clusters->above);
+    *clusters = (struct clusters){.cluster_phase =
+                                      find_broad_phase(phase->inner)};
+    clusters->kept =
+        clusters->cluster_phase->begin(clusters->cluster_phase);
     return clusters;
 }
 
@@ -40,7 +43,7 @@ void end_clusters(void *kept)
     free(clusters->group);
     boxes_free(&clusters->boxes);
     pairs_free(&clusters->pairs);
-    clusters->above->end(clusters->kept);
+    clusters->cluster_phase->end(clusters->kept);
     free(clusters);
 }
 //<
@@ -62,7 +65,7 @@ static void cut_mesh(struct clusters *clusters,
     uint32_t c = 0;
     for (uint32_t t = 0; t < n; t++) {
         const uint32_t group =
-            search->group ? search->group[t] : UINT32_MAX;
+            search->group ? search->group[t] : NO_INDEX;
         if (c == 0 || t - clusters->begin[c - 1] == CLUSTER ||
             group != clusters->group[c - 1]) {
             clusters->begin[c] = t;
@@ -81,30 +84,12 @@ static void enclose(struct clusters *clusters,
     boxes_reserve(&clusters->boxes, clusters->n);
 #pragma omp parallel for num_threads(threads) if (threads > 1)
     for (uint32_t c = 0; c < clusters->n; c++)
-        for (int k = 0; k < 3; k++) {
-            double low = INFINITY, high = -INFINITY;
-            for (uint32_t t = clusters->begin[c];
-                 t < clusters->begin[c + 1]; t++) {
-                low = MIN(low, boxes->low[k][t]);
-                high = MAX(high, boxes->high[k][t]);
-            }
-            clusters->boxes.low[k][c] = low;
-            clusters->boxes.high[k][c] = high;
-        }
+        boxes_unite(&clusters->boxes, c, boxes, clusters->begin[c],
+                    clusters->begin[c + 1]);
 }
 //<
 
 //> List what reaches into a cluster's box
-static bool reaches(const struct boxes *boxes, uint32_t t,
-                    const struct boxes *others, uint32_t c)
-{
-    bool meet = true;
-    for (int k = 0; k < 3; k++)
-        meet &= (boxes->low[k][t] <= others->high[k][c]) &
-                (others->low[k][c] <= boxes->high[k][t]);
-    return meet;
-}
-
 static int list_reaching(const struct broad_search *search,
                          const struct clusters *clusters,
                          struct pair pair, uint32_t reaching[CLUSTER])
@@ -114,7 +99,7 @@ static int list_reaching(const struct broad_search *search,
          t < clusters->begin[pair.one + 1]; t++) {
         reaching[count] = t;
         count +=
-            reaches(search->boxes, t, &clusters->boxes, pair.other);
+            box_meets(search->boxes, t, &clusters->boxes, pair.other);
     }
     return count;
 }
@@ -136,7 +121,7 @@ static void compare_clusters(const struct broad_search *search,
         search, clusters, (struct pair){pair.other, pair.one}, other);
     for (int i = 0; i < ones; i++)
         for (int j = 0; j < others; j++)
-            consider(search, list, one[i], other[j]);
+            add_if_overlapping(search, list, one[i], other[j]);
     list->tested += size_of(clusters, pair.one) +
                     size_of(clusters, pair.other) +
                     (uint64_t)ones * others;
@@ -147,12 +132,12 @@ static void compare_within(const struct broad_search *search,
                            const struct clusters *clusters, uint32_t c,
                            struct pair_list *list)
 {
-    if (clusters->group[c] != UINT32_MAX)
+    if (clusters->group[c] != NO_INDEX)
         return;
     const uint32_t end = clusters->begin[c + 1];
     for (uint32_t i = clusters->begin[c]; i < end; i++) {
         for (uint32_t j = i + 1; j < end; j++)
-            consider(search, list, i, j);
+            add_if_overlapping(search, list, i, j);
         list->tested += end - i - 1;
     }
 }
@@ -165,9 +150,9 @@ void find_by_clusters(void *kept, const struct broad_search *search)
     const int threads = search->threads;
     cut_mesh(clusters, search);
     enclose(clusters, search->boxes, threads);
-    const struct broad_search above = {
+    const struct broad_search of_clusters = {
         &clusters->boxes, clusters->group, &clusters->pairs, threads};
-    find_pairs(clusters->above, clusters->kept, &above);
+    find_pairs(clusters->cluster_phase, clusters->kept, &of_clusters);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
         struct pair_list *list =

@@ -28,10 +28,10 @@ struct moving_triangle {
 // (weight 1) and three corners of a face, or of an edge's two ends and
 // another's. Each of the two has weights that sum to 1, and all are at
 // least 0, but for rounding.
-enum contact { NODE_FACE, EDGE_EDGE };
+enum feature_kind { NODE_FACE, EDGE_EDGE };
 
 struct event {
-    enum contact kind;
+    enum feature_kind kind;
     uint32_t node[4]; // node, face; or edge, edge
     double time;      // from 0 to 1
     double weight[4]; // of these nodes
@@ -51,7 +51,7 @@ struct event_counts {
 // but for its nodes. A tolerance below 2^-40 of the largest coordinate
 // of a difference between the two counts as so much. Coordinates are
 // finite, at most MAX_EXACT of exact.h, the tolerance is at least
-// MIN_EXACT. Adds to *counts, unless that is NULL.
+// MIN_EXACT. Adds to *counts.
 bool node_meets_face(const struct moving *node,
                      const struct moving face[3], double tolerance,
                      struct event *event, struct event_counts *counts);

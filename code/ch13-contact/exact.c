@@ -11,7 +11,7 @@
 static_assert(FLT_EVAL_METHOD == 0, "a double is rounded as a double");
 
 //> Check that coordinates can be decided
-bool exact_range(const double *x, size_t n)
+bool within_exact_bounds(const double *x, size_t n)
 {
     for (size_t k = 0; k < n; k++) {
         const double size = fabs(x[k]);
@@ -150,8 +150,8 @@ int orientation3(const double a[3], const double b[3],
     const double error = 9 * 0x1p-53 * size;
     if (fabs(determinant) > error)
         return determinant > 0 ? 1 : -1;
-    assert(exact_range(a, 3) && exact_range(b, 3) &&
-           exact_range(c, 3) && exact_range(d, 3));
+    assert(within_exact_bounds(a, 3) && within_exact_bounds(b, 3) &&
+           within_exact_bounds(c, 3) && within_exact_bounds(d, 3));
     if (size == 0)
         return 0;
     if (expanded)
@@ -173,7 +173,8 @@ int orientation2(const double a[2], const double b[2],
     const double error = 5 * 0x1p-53 * size;
     if (fabs(determinant) > error)
         return determinant > 0 ? 1 : -1;
-    assert(exact_range(a, 2) && exact_range(b, 2) && exact_range(c, 2));
+    assert(within_exact_bounds(a, 2) && within_exact_bounds(b, 2) &&
+           within_exact_bounds(c, 2));
     if (size == 0)
         return 0;
     if (expanded)

@@ -16,7 +16,7 @@
 static const double MIN_EXACT = 0x1p-280, MAX_EXACT = 0x1p+280;
 
 // Whether n coordinates keep to the rule; a NaN does not.
-bool exact_range(const double *x, size_t n);
+bool within_exact_bounds(const double *x, size_t n);
 //<
 
 //> Declare which side a point is on

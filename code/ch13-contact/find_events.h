@@ -11,9 +11,8 @@ struct event_list {
     uint64_t count, room;
     uint64_t hits;              // pairs that have an event
     uint64_t pairs;             // that were tested
-    uint64_t apart;             // and separated (kept_apart.h)
+    uint64_t apart;             // of these, separated by an axis
     struct event_counts counts; // of the tests
-    int64_t ns;                 // that this thread worked
 };
 
 struct events {
@@ -25,15 +24,15 @@ struct events {
 //<
 
 //> Hold a search for events
-// With still[], only pairs are tested in which a node came to rest in
-// this round and another one moves: still[i] is the round in which node
-// i came to rest, 0 if it moves. In round 1, the first search, it is
-// enough that one moves. With still NULL, all pairs.
+// stopped_in_round[i] is the round in which node i was stopped, 0 if it
+// moves. Only pairs are tested in which a node was stopped in this
+// round and another one moves. In round 1, the first search, it is
+// enough that one moves.
 struct event_search {
     const struct scene *scene;
     const struct pairs *pairs;
     double tolerance;
-    const uint32_t *still;
+    const uint32_t *stopped_in_round;
     uint32_t round;
     int threads;
 };
@@ -47,6 +46,10 @@ void find_events(struct events *events,
                  const struct event_search *search);
 void events_free(struct events *events);
 
-// By kind and nodes alone.
+// How a triangle of the scene moves in this step.
+struct moving_triangle moving_triangle_of(const struct scene *scene,
+                                          uint32_t t);
+
+// By kind and nodes alone: below 0, 0 or above 0, as qsort wants.
 int compare_features(const struct event *a, const struct event *b);
 //<

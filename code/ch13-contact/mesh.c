@@ -1,8 +1,8 @@
 //> Hold nodes and triangles
-// Arrays that double when they are full, so that adding takes constant
-// time on average.
+// Adding takes constant time on average. To merge equal nodes takes
+// time in proportion to them, by a hash table.
 #include "ch13-contact/mesh.h"
-#include "common/allocate.h"
+#include "ch13-contact/enlarge.h"
 #include "common/fail.h"
 #include "common/min_max.h"
 #include "common/points.h"
@@ -11,17 +11,6 @@
 #include <string.h>
 
 //> Make room for one more of a mesh
-// A larger array with what the old one held; that one is given up.
-static void *enlarge(void *old, uint32_t used, uint32_t room,
-                     size_t size)
-{
-    void *array = allocate(room, size);
-    if (used)
-        memcpy(array, old, used * size);
-    free(old);
-    return array;
-}
-
 static uint32_t next_room(uint32_t used, const char *what)
 {
     if (used >= NO_INDEX - 1)
@@ -72,9 +61,9 @@ void mesh_free(struct mesh *mesh)
     *mesh = (struct mesh){0};
 }
 
-struct mesh_end mesh_end(const struct mesh *mesh)
+struct mesh_mark mesh_mark(const struct mesh *mesh)
 {
-    return (struct mesh_end){mesh->nodes, mesh->triangles};
+    return (struct mesh_mark){mesh->nodes, mesh->triangles};
 }
 
 //> Hash three coordinates
@@ -132,7 +121,7 @@ static void merge_nodes(struct mesh *mesh, uint32_t since,
 //<
 
 //> Give triangles the nodes that stay
-void mesh_merge(struct mesh *mesh, struct mesh_end since)
+void mesh_merge(struct mesh *mesh, struct mesh_mark since)
 {
     if (mesh->nodes == since.node)
         return;

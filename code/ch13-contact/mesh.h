@@ -22,14 +22,14 @@ uint32_t mesh_add_triangle(struct mesh *mesh, uint32_t a, uint32_t b,
                            uint32_t c);
 void mesh_free(struct mesh *mesh);
 
-// Where a mesh ends: what is added later begins there.
-struct mesh_end {
+// Where a mesh ends now: what is added later begins there.
+struct mesh_mark {
     uint32_t node, triangle;
 };
-struct mesh_end mesh_end(const struct mesh *mesh);
+struct mesh_mark mesh_mark(const struct mesh *mesh);
 
 // Makes one node of all that have the same coordinates, to the last
 // bit but that -0 is 0, among those added since. Of equal ones the
 // first stays. Triangles that have lost a corner by that are removed.
-void mesh_merge(struct mesh *mesh, struct mesh_end since);
+void mesh_merge(struct mesh *mesh, struct mesh_mark since);
 //<

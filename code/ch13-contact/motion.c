@@ -10,14 +10,14 @@
 
 //> Turn by a quaternion
 // v + 2 w (q x v) + 2 q x (q x v), where w is the real part.
-static void turn_by(const double turn[4], const double v[3],
+static void turn_by(const double orientation[4], const double v[3],
                     double to[3])
 {
     double once[3], twice[3];
-    cross(turn + 1, v, once);
-    cross(turn + 1, once, twice);
+    cross(orientation + 1, v, once);
+    cross(orientation + 1, once, twice);
     for (int k = 0; k < 3; k++)
-        to[k] = v[k] + 2 * (turn[0] * once[k] + twice[k]);
+        to[k] = v[k] + 2 * (orientation[0] * once[k] + twice[k]);
 }
 //<
 
@@ -32,13 +32,14 @@ void place_nodes(const struct scene *scene, const struct body *body,
                  const struct pose *pose, double *const to[3])
 {
     for (uint32_t i = body->begin.node; i < body->end.node; i++) {
-        const double rest[3] = {scene->rest[0][i], scene->rest[1][i],
-                                scene->rest[2][i]};
+        const double local[3] = {scene->local[0][i], scene->local[1][i],
+                                 scene->local[2][i]};
         double turned[3];
-        turn_by(pose->turn, rest, turned);
+        turn_by(pose->orientation, local, turned);
         for (int k = 0; k < 3; k++)
-            to[k][i] = tame(pose->place[k] + turned[k]);
-        if (!exact_range((double[]){to[0][i], to[1][i], to[2][i]}, 3))
+            to[k][i] = tame(pose->position[k] + turned[k]);
+        if (!within_exact_bounds(
+                (double[]){to[0][i], to[1][i], to[2][i]}, 3))
             fail("body %u moves too far for exact tests",
                  (unsigned)(body - scene->body));
     }
@@ -46,28 +47,29 @@ void place_nodes(const struct scene *scene, const struct body *body,
 //<
 
 //> Go on for a time
-// To turn at this spin is to multiply by (1, dt spin / 2), and then to
-// see to it that the length is 1: a step of less than half a turn, the
-// slower the further it is.
+// To turn at the angular velocity w is to multiply the orientation by
+// (1, dt w / 2), and then to make its length 1 again. So a step turns
+// by less than half a turn, and a long one by too little.
 struct pose pose_after(const struct body *body, double dt)
 {
     struct pose pose;
-    const double *t = body->turn;
+    const double *old = body->orientation;
     double half[3], side[3], length2 = 0;
     for (int k = 0; k < 3; k++) {
-        pose.place[k] = body->place[k] + dt * body->velocity[k];
-        half[k] = 0.5 * dt * body->spin[k];
+        pose.position[k] = body->position[k] + dt * body->velocity[k];
+        half[k] = 0.5 * dt * body->angular_velocity[k];
     }
-    cross(half, t + 1, side);
-    pose.turn[0] = t[0];
+    cross(half, old + 1, side);
+    pose.orientation[0] = old[0];
     for (int k = 0; k < 3; k++) {
-        pose.turn[0] -= half[k] * t[k + 1];
-        pose.turn[k + 1] = t[k + 1] + half[k] * t[0] + side[k];
+        pose.orientation[0] -= half[k] * old[k + 1];
+        pose.orientation[k + 1] =
+            old[k + 1] + half[k] * old[0] + side[k];
     }
     for (int k = 0; k < 4; k++)
-        length2 += pose.turn[k] * pose.turn[k];
+        length2 += pose.orientation[k] * pose.orientation[k];
     for (int k = 0; k < 4; k++)
-        pose.turn[k] /= sqrt(length2);
+        pose.orientation[k] /= sqrt(length2);
     return pose;
 }
 //<
@@ -96,7 +98,7 @@ static void predict_soft(struct scene *scene, const struct body *body,
 {
     for (int k = 0; k < 3; k++)
         for (uint32_t i = body->begin.node; i < body->end.node; i++)
-            scene->end[k][i] =
+            scene->predicted[k][i] =
                 tame(scene->mesh.x[k][i] + dt * scene->velocity[k][i]);
 }
 
@@ -108,7 +110,7 @@ void scene_predict(struct scene *scene, double dt, int threads)
         const struct body *body = &scene->body[b];
         const struct pose pose = pose_after(body, dt);
         if (body->motion == RIGID)
-            place_nodes(scene, body, &pose, scene->end);
+            place_nodes(scene, body, &pose, scene->predicted);
         if (body->motion == SOFT)
             predict_soft(scene, body, dt);
     }

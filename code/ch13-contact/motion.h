@@ -1,6 +1,7 @@
 //> Declare the motion
 // From the places at the time t to those at t + dt. Between the two a
-// node moves along a straight line.
+// node moves along a straight line. Each function costs time in
+// proportion to the nodes.
 #pragma once
 #include "ch13-contact/scene.h"
 
@@ -9,11 +10,11 @@ void scene_accelerate(struct scene *scene, double dt);
 
 //> Hold a pose
 struct pose {
-    double place[3], turn[4];
+    double position[3], orientation[4];
 };
 //<
 
-// Where a body is after a time dt at its velocity and spin.
+// Where a body is after a time dt at its two velocities.
 struct pose pose_after(const struct body *body, double dt);
 
 // Where the nodes of a body are in a pose: to[k][i] for node i. Fails
@@ -21,6 +22,7 @@ struct pose pose_after(const struct body *body, double dt);
 void place_nodes(const struct scene *scene, const struct body *body,
                  const struct pose *pose, double *const to[3]);
 
-// end[] is where all nodes are after a time dt; nothing else changes.
+// predicted[] is where all nodes are after a time dt; nothing else
+// changes.
 void scene_predict(struct scene *scene, double dt, int threads);
 //<

@@ -1,5 +1,6 @@
 //> Keep a set of pairs
-// No mark is left where a pair is removed: those behind it move up.
+// To add, to remove or to look takes constant time on average. No mark
+// is left where a pair is removed: those behind it move up.
 #include "ch13-contact/pair_set.h"
 #include "common/allocate.h"
 #include "common/min_max.h"

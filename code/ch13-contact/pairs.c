@@ -4,7 +4,7 @@
 // lie as the threads came, and are then sorted; so the order is the
 // same for any broad phase and any number of threads.
 #include "ch13-contact/pairs.h"
-#include "common/allocate.h"
+#include "ch13-contact/enlarge.h"
 #include "common/min_max.h"
 #include <stdlib.h>
 #include <string.h>
@@ -13,12 +13,10 @@
 void pairs_begin(struct pairs *pairs, int threads)
 {
     if (threads > pairs->threads) {
-        struct pair_list *more = allocate(threads, sizeof *more);
-        memset(more, 0, threads * sizeof *more);
-        if (pairs->threads)
-            memcpy(more, pairs->list, pairs->threads * sizeof *more);
-        free(pairs->list);
-        pairs->list = more;
+        const int old = pairs->threads;
+        const size_t size = sizeof *pairs->list;
+        pairs->list = enlarge(pairs->list, old, threads, size);
+        memset(pairs->list + old, 0, (threads - old) * size);
         pairs->threads = threads;
     }
     for (int k = 0; k < pairs->threads; k++)
@@ -29,11 +27,8 @@ void pairs_begin(struct pairs *pairs, int threads)
 void pair_list_grow(struct pair_list *list)
 {
     list->room = 2 * list->room + 1024;
-    struct pair *more = allocate(list->room, sizeof *more);
-    if (list->count)
-        memcpy(more, list->pair, list->count * sizeof *more);
-    free(list->pair);
-    list->pair = more;
+    list->pair = enlarge(list->pair, list->count, list->room,
+                         sizeof *list->pair);
 }
 //<
 

@@ -10,7 +10,24 @@
 #include <string.h>
 #include <strings.h>
 
-//> Take a node from a line
+//> Take a number or a node from a line
+void need_line(struct lines *lines, const char *expected)
+{
+    if (!next_line(lines))
+        fail("%s:%zu: expected %s, found the end of the file",
+             lines->stream->name, lines->number + 1, expected);
+}
+
+uint32_t take_whole(const struct lines *lines, const char *field,
+                    double min, double max, const char *expected)
+{
+    double number;
+    if (!field || !read_number(field, ' ', &number) ||
+        !(number >= min && number <= max && number == floor(number)))
+        reject(lines, expected);
+    return (uint32_t)number;
+}
+
 void take_node(const struct lines *lines, const char *field,
                struct mesh *mesh, const char *expected)
 {
@@ -21,10 +38,20 @@ void take_node(const struct lines *lines, const char *field,
             reject(lines, expected);
         field = next_field(field, ' ');
     }
-    if (!exact_range(x, 3))
+    if (!within_exact_bounds(x, 3))
         reject(lines, "coordinates that are 0 or not beyond 2^-280 and "
                       "2^280");
     mesh_add_node(mesh, x[0], x[1], x[2]);
+}
+
+void take_corner(struct mesh *mesh, uint32_t c[3], uint32_t k,
+                 uint32_t node)
+{
+    c[k < 3 ? k : 2] = node;
+    if (k >= 2) {
+        mesh_add_triangle(mesh, c[0], c[1], c[2]);
+        c[1] = c[2];
+    }
 }
 
 bool begins_with(const char *line, const char *word)
@@ -41,15 +68,18 @@ const char *behind_word(const char *line)
 //<
 
 //> Tell a binary STL file
-enum { STL_HEAD = 84, STL_TRIANGLE = 50 };
+uint32_t low_byte_first(const unsigned char *bytes)
+{
+    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 |
+           (uint32_t)bytes[3] << 24;
+}
 
 static bool is_binary_stl(const struct stream *stream)
 {
     if (stream->length < STL_HEAD)
         return false;
-    const unsigned char *b = (unsigned char *)stream->bytes + 80;
     const uint64_t count =
-        b[0] | b[1] << 8 | b[2] << 16 | (uint64_t)b[3] << 24;
+        low_byte_first((unsigned char *)stream->bytes + STL_HEAD - 4);
     return stream_size(stream) == STL_HEAD + STL_TRIANGLE * count;
 }
 
@@ -92,7 +122,7 @@ static reader *reader_of(const char *name)
 void read_mesh(const char *name, struct mesh *mesh)
 {
     reader *read = reader_of(name);
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     struct stream stream = stream_open(name);
     stream_reserve(&stream, 2 * (size_t)LONGEST_LINE);
     struct lines lines = lines_of(&stream);

@@ -8,9 +8,9 @@
 #include "common/numbers.h"
 #include <math.h>
 
-//> Take a corner of OBJ
+//> Take a node's number of OBJ
 // The node that a field says; the line is rejected if there is none.
-static uint32_t take_corner(const struct lines *lines,
+static uint32_t take_number(const struct lines *lines,
                             const char *field, uint32_t first,
                             const struct mesh *mesh)
 {
@@ -33,11 +33,7 @@ static void take_face(const struct lines *lines, uint32_t first,
     const char *field = behind_word(lines->line);
     uint32_t c[3] = {0};
     for (uint32_t k = 0; k < 3 || field; k++) {
-        c[k < 3 ? k : 2] = take_corner(lines, field, first, mesh);
-        if (k >= 2) {
-            mesh_add_triangle(mesh, c[0], c[1], c[2]);
-            c[1] = c[2];
-        }
+        take_corner(mesh, c, k, take_number(lines, field, first, mesh));
         field = next_field(field, ' ');
     }
 }

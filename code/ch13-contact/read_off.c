@@ -3,30 +3,8 @@
 // each node's coordinates; each face's number of corners, and these,
 // from 0. What follows on a face's line is its color.
 #include "ch13-contact/read_mesh.h"
-#include "common/fail.h"
 #include "common/fields.h"
 #include "common/points.h"
-#include <math.h>
-
-//> Expect one more line
-static void need_line(struct lines *lines, const char *expected)
-{
-    if (!next_line(lines))
-        fail("%s:%zu: expected %s, found the end of the file",
-             lines->stream->name, lines->number + 1, expected);
-}
-
-// A whole number from 0 to most; rejects the line if there is none.
-static uint32_t take_whole(const struct lines *lines, const char *field,
-                           double most, const char *expected)
-{
-    double number;
-    if (!field || !read_number(field, ' ', &number) ||
-        !(number >= 0 && number <= most && number == floor(number)))
-        reject(lines, expected);
-    return (uint32_t)number;
-}
-//<
 
 //> Read the head of OFF
 struct off_head {
@@ -45,8 +23,8 @@ static struct off_head read_head(struct lines *lines)
         field = lines->line;
     }
     const uint32_t nodes =
-        take_whole(lines, field, NO_INDEX - 1, expected);
-    const uint32_t faces = take_whole(lines, next_field(field, ' '),
+        take_whole(lines, field, 0, NO_INDEX - 1, expected);
+    const uint32_t faces = take_whole(lines, next_field(field, ' '), 0,
                                       NO_INDEX - 1, expected);
     return (struct off_head){nodes, faces};
 }
@@ -61,19 +39,13 @@ static void take_off_face(const struct lines *lines, uint32_t first,
     const double last = (double)mesh->nodes - first - 1;
     const char *field = lines->line;
     const uint32_t corners =
-        take_whole(lines, field, NO_INDEX - 1, expected);
-    if (corners < 3)
-        reject(lines, expected);
+        take_whole(lines, field, 3, NO_INDEX - 1, expected);
     uint32_t c[3] = {0};
     for (uint32_t k = 0; k < corners; k++) {
         field = next_field(field, ' ');
-        const uint32_t i =
-            first + take_whole(lines, field, last, expected);
-        c[k < 3 ? k : 2] = i;
-        if (k >= 2) {
-            mesh_add_triangle(mesh, c[0], c[1], c[2]);
-            c[1] = c[2];
-        }
+        take_corner(mesh, c, k,
+                    first +
+                        take_whole(lines, field, 0, last, expected));
     }
 }
 //<

@@ -24,9 +24,7 @@ static bool is_line(const struct lines *lines, const char *word)
 
 static void need_word(struct lines *lines, const char *word)
 {
-    if (!next_line(lines))
-        fail("%s:%zu: expected %s, found the end of the file",
-             lines->stream->name, lines->number + 1, word);
+    need_line(lines, word);
     if (!is_line(lines, word))
         reject(lines, word);
 }
@@ -51,7 +49,7 @@ static void take_facet(struct lines *lines, struct mesh *mesh)
 //> Take all facets
 void read_stl_text(struct lines *lines, struct mesh *mesh)
 {
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     while (next_line(lines)) {
         if (is_line(lines, "facet"))
             take_facet(lines, mesh);
@@ -69,8 +67,7 @@ void read_stl_text(struct lines *lines, struct mesh *mesh)
 // the lowest byte first.
 static float take_float(const unsigned char *b)
 {
-    const uint32_t bits =
-        b[0] | b[1] << 8 | b[2] << 16 | (uint32_t)b[3] << 24;
+    const uint32_t bits = low_byte_first(b);
     float number;
     memcpy(&number, &bits, sizeof number);
     return number;
@@ -78,7 +75,7 @@ static float take_float(const unsigned char *b)
 //<
 
 //> Take three corners from bytes
-enum { STL_HEAD = 84, STL_TRIANGLE = 50, STL_NORMAL = 12 };
+enum { STL_NORMAL = 12 };
 
 static void take_stl_triangle(const struct stream *stream, size_t at,
                               uint64_t t, struct mesh *mesh)
@@ -102,7 +99,7 @@ static void take_stl_triangle(const struct stream *stream, size_t at,
 //> Take triangles from a stream
 void read_stl_binary(struct stream *stream, struct mesh *mesh)
 {
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     const uint64_t count =
         (stream_size(stream) - STL_HEAD) / STL_TRIANGLE;
     size_t at = STL_HEAD;

@@ -2,8 +2,8 @@
 // Bodies are weighed when they are added, and put in their places when
 // all are there.
 #include "ch13-contact/scene.h"
+#include "ch13-contact/enlarge.h"
 #include "ch13-contact/motion.h"
-#include "common/allocate.h"
 #include "common/min_max.h"
 #include "common/points.h"
 #include <stdlib.h>
@@ -28,14 +28,14 @@ static void weigh(struct scene *scene, struct body *body)
     }
     const double mass = volume > 0 ? volume : 1;
     const double inertia = 0.4 * mass * distance2;
-    body->lightness = 1 / mass;
-    body->ease = inertia > 0 ? 1 / inertia : 0;
+    body->inverse_mass = 1 / mass;
+    body->inverse_inertia = inertia > 0 ? 1 / inertia : 0;
 }
 //<
 
 //> Move a body's middle to the origin
 // Says where it was: the mean of the nodes.
-static void center(struct mesh *mesh, struct mesh_end since,
+static void center(struct mesh *mesh, struct mesh_mark since,
                    double middle[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -51,35 +51,28 @@ static void center(struct mesh *mesh, struct mesh_end since,
 //<
 
 //> Add a body to a scene
-static void enlarge(struct scene *scene)
-{
-    scene->room = 2 * scene->room + 16;
-    struct body *more = allocate(scene->room, sizeof *more);
-    if (scene->bodies)
-        memcpy(more, scene->body, scene->bodies * sizeof *more);
-    free(scene->body);
-    scene->body = more;
-}
-
-void scene_add(struct scene *scene, struct mesh_end since,
-               const struct start *start)
+void scene_add(struct scene *scene, struct mesh_mark since,
+               const struct initial_state *initial)
 {
     struct mesh *mesh = &scene->mesh;
-    if (scene->bodies == scene->room)
-        enlarge(scene);
+    if (scene->bodies == scene->room) {
+        scene->room = 2 * scene->room + 16;
+        scene->body = enlarge(scene->body, scene->bodies, scene->room,
+                              sizeof *scene->body);
+    }
     struct body *body = &scene->body[scene->bodies++];
-    *body = (struct body){start->motion, since, mesh_end(mesh),
-                          .turn = {1}};
+    *body = (struct body){initial->motion, since, mesh_mark(mesh),
+                          .orientation = {1}};
     double middle[3] = {0};
     if (body->motion == RIGID)
         center(mesh, since, middle);
-    const double size = start->size > 0 ? start->size : 1;
+    const double size = initial->size > 0 ? initial->size : 1;
     for (int k = 0; k < 3; k++) {
         for (uint32_t i = since.node; i < mesh->nodes; i++)
             mesh->x[k][i] *= size;
-        body->place[k] = start->place[k] + size * middle[k];
-        body->velocity[k] = start->velocity[k];
-        body->spin[k] = start->spin[k];
+        body->position[k] = initial->position[k] + size * middle[k];
+        body->velocity[k] = initial->velocity[k];
+        body->angular_velocity[k] = initial->angular_velocity[k];
     }
     if (body->motion == RIGID)
         weigh(scene, body);
@@ -92,10 +85,10 @@ static void give_arrays(struct scene *scene)
     const struct mesh *mesh = &scene->mesh;
     for (int k = 0; k < 3; k++) {
         const size_t bytes = mesh->nodes * sizeof(double);
-        scene->end[k] = allocate(bytes, 1);
-        scene->rest[k] = allocate(bytes, 1);
+        scene->predicted[k] = allocate(bytes, 1);
+        scene->local[k] = allocate(bytes, 1);
         scene->velocity[k] = allocate(bytes, 1);
-        memcpy(scene->rest[k], mesh->x[k], bytes);
+        memcpy(scene->local[k], mesh->x[k], bytes);
     }
     scene->body_of_node = allocate(mesh->nodes, sizeof(uint32_t));
     scene->body_of = allocate(mesh->triangles, sizeof(uint32_t));
@@ -124,7 +117,7 @@ void scene_complete(struct scene *scene)
         }
         const struct pose pose = pose_after(body, 0);
         place_nodes(scene, body, &pose, scene->mesh.x);
-        place_nodes(scene, body, &pose, scene->end);
+        place_nodes(scene, body, &pose, scene->predicted);
     }
 }
 //<
@@ -133,8 +126,8 @@ void scene_free(struct scene *scene)
 {
     mesh_free(&scene->mesh);
     for (int k = 0; k < 3; k++) {
-        free(scene->end[k]);
-        free(scene->rest[k]);
+        free(scene->predicted[k]);
+        free(scene->local[k]);
         free(scene->velocity[k]);
     }
     free(scene->body_of_node);

@@ -1,7 +1,8 @@
 //> Declare the scene
-// Bodies and how they move. A rigid body is where its middle is,
-// turned; of a soft one, each node moves on its own; a fixed one stays,
-// and so does one that sleeps, a rigid one at rest (sleep.h).
+// Bodies and how they move. A rigid body is where its middle is, and
+// turned by its orientation; of a soft one, each node moves on its own;
+// a fixed one stays, and so does one that sleeps, a rigid one that has
+// come to rest (sleep.h).
 #pragma once
 #include "ch13-contact/mesh.h"
 #include <stdbool.h>
@@ -11,12 +12,12 @@ enum motion { FIXED, RIGID, SOFT, ASLEEP };
 
 struct body {
     enum motion motion;
-    struct mesh_end begin, end; // its nodes and triangles
-    double place[3];            // of its middle
-    double turn[4];             // a quaternion of length 1, real first
-    double velocity[3], spin[3];
-    double lightness; // 1 / mass, 0 if fixed
-    double ease;      // 1 / moment of inertia: how easily it is turned
+    struct mesh_mark begin, end; // its nodes and triangles
+    double position[3];          // of its middle
+    double orientation[4];       // a quaternion of length 1, real first
+    double velocity[3], angular_velocity[3];
+    double inverse_mass;    // 1 / mass: how easily it is moved
+    double inverse_inertia; // 1 / moment of inertia: how easily turned
 };
 
 // Whether it stays, whatever comes.
@@ -28,11 +29,12 @@ static inline bool is_held(const struct body *body)
 
 //> Hold a scene
 struct scene {
-    struct mesh mesh;    // the nodes' places at the time t
-    double *end[3];      // their places at t + dt, as predicted
-    double *rest[3];     // in an unturned body, from its middle
-    double *velocity[3]; // of the nodes of soft bodies
-    uint32_t *body_of;   // of each triangle
+    struct mesh mesh;     // the nodes' places at the time t
+    double *predicted[3]; // their places at t + dt
+    double *local[3];     // in the frame of the body: from its middle,
+                          // before it is turned
+    double *velocity[3];  // of the nodes of soft bodies
+    uint32_t *body_of;    // of each triangle
     uint32_t *body_of_node;
     uint32_t *group; // of each triangle: see scene_complete
     struct body *body;
@@ -42,11 +44,11 @@ struct scene {
 //<
 
 //> Say how a body begins
-// {0}: a rigid one, at rest at the origin, as large as its shape.
-struct start {
+// {RIGID}: at rest at the origin, not turned, as large as its shape.
+struct initial_state {
     enum motion motion;
     double size; // its shape is made so much larger
-    double place[3], velocity[3], spin[3];
+    double position[3], velocity[3], angular_velocity[3];
 };
 //<
 
@@ -55,8 +57,8 @@ struct start {
 // is as heavy as the box around it and turns about the mean of its
 // nodes; that it turns as easily in all directions, as a ball does, is
 // a simplification.
-void scene_add(struct scene *scene, struct mesh_end since,
-               const struct start *start);
+void scene_add(struct scene *scene, struct mesh_mark since,
+               const struct initial_state *initial);
 
 // To be called once, when all bodies are there: makes room for what
 // moves. Two triangles of the same group cannot touch: those of a rigid

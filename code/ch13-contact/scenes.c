@@ -12,10 +12,10 @@ static double between(struct random *random, double low, double high)
     return low + (high - low) * random_uniform(random);
 }
 
-static void draw_vector(struct random *random, double most, double x[3])
+static void draw_vector(struct random *random, double max, double x[3])
 {
     for (int k = 0; k < 3; k++)
-        x[k] = between(random, -most, most);
+        x[k] = between(random, -max, max);
 }
 //<
 
@@ -23,23 +23,23 @@ static void draw_vector(struct random *random, double most, double x[3])
 // A sphere, a torus or a box, none of them reaching further than size
 // from its middle.
 static void add_random(struct scene *scene, struct random *random,
-                       struct start *start, double size)
+                       struct initial_state *initial, double size)
 {
-    const struct mesh_end since = mesh_end(&scene->mesh);
+    const struct mesh_mark since = mesh_mark(&scene->mesh);
     switch (random_bits(random) % 3) {
     case 0:
         add_sphere(&scene->mesh, 1);
-        start->size = size;
+        initial->size = size;
         break;
     case 1:
         add_torus(&scene->mesh, 0.4, 8, 5);
-        start->size = size / 1.4;
+        initial->size = size / 1.4;
         break;
     default:
         add_box(&scene->mesh, 2);
-        start->size = size / sqrt(3);
+        initial->size = size / sqrt(3);
     }
-    scene_add(scene, since, start);
+    scene_add(scene, since, initial);
 }
 //<
 
@@ -51,13 +51,13 @@ void fill_cloud(struct scene *scene, uint32_t n, double speed,
     struct random random = {seed};
     const uint32_t side = (uint32_t)ceil(cbrt(n));
     for (uint32_t b = 0; b < n; b++) {
-        struct start start = {
-            RIGID,
-            .place = {SPACING * (b % side), SPACING * (b / side % side),
-                      SPACING * (double)(b / side / side)}};
-        draw_vector(&random, speed / sqrt(3), start.velocity);
-        draw_vector(&random, speed / sqrt(3), start.spin);
-        add_random(scene, &random, &start, 0.95);
+        struct initial_state initial = {
+            RIGID, .position = {SPACING * (b % side),
+                                SPACING * (b / side % side),
+                                SPACING * (double)(b / side / side)}};
+        draw_vector(&random, speed / sqrt(3), initial.velocity);
+        draw_vector(&random, speed / sqrt(3), initial.angular_velocity);
+        add_random(scene, &random, &initial, 0.95);
     }
 }
 
@@ -74,9 +74,9 @@ static void fill_usual_cloud(struct scene *scene, uint32_t size,
 static void add_walls(struct scene *scene, double half, double height)
 {
     for (int wall = 0; wall < 5; wall++) {
-        const struct mesh_end since = mesh_end(&scene->mesh);
+        const struct mesh_mark since = mesh_mark(&scene->mesh);
         struct mesh *mesh = &scene->mesh;
-        add_cloth(mesh, 1);
+        add_square_sheet(mesh, 1);
         for (uint32_t i = since.node; i < mesh->nodes; i++) {
             const double u = half * mesh->x[0][i];
             const double v = mesh->x[1][i];
@@ -87,7 +87,7 @@ static void add_walls(struct scene *scene, double half, double height)
                                         : across;
             mesh->x[2][i] = wall == 0 ? 0 : height * (v + 1) / 2;
         }
-        scene_add(scene, since, &(struct start){FIXED});
+        scene_add(scene, since, &(struct initial_state){FIXED});
     }
 }
 //<
@@ -102,16 +102,17 @@ static void fill_pile(struct scene *scene, uint32_t size, uint64_t seed)
     for (uint32_t b = 0; b < size; b++) {
         const uint32_t at[3] = {b % side, b / side % side,
                                 b / side / side};
-        struct start start = {RIGID};
-        draw_vector(&random, 0.1, start.place);
+        struct initial_state initial = {RIGID};
+        draw_vector(&random, 0.1, initial.position);
         for (int k = 0; k < 3; k++)
-            start.place[k] += spacing * (at[k] + 0.5);
+            initial.position[k] += spacing * (at[k] + 0.5);
         for (int k = 0; k < 2; k++)
-            start.place[k] += 0.2 - half;
-        start.place[2] += 0.5;
-        draw_vector(&random, 1, start.velocity);
-        draw_vector(&random, 2, start.spin);
-        add_random(scene, &random, &start, between(&random, 0.5, 0.95));
+            initial.position[k] += 0.2 - half;
+        initial.position[2] += 0.5;
+        draw_vector(&random, 1, initial.velocity);
+        draw_vector(&random, 2, initial.angular_velocity);
+        add_random(scene, &random, &initial,
+                   between(&random, 0.5, 0.95));
     }
     scene->gravity[2] = -10;
 }
@@ -124,14 +125,15 @@ static void fill_bullet(struct scene *scene, uint32_t size,
                         uint64_t seed)
 {
     (void)seed;
-    struct mesh_end since = mesh_end(&scene->mesh);
-    add_cloth(&scene->mesh, size);
-    scene_add(scene, since, &(struct start){FIXED, 2});
-    since = mesh_end(&scene->mesh);
+    struct mesh_mark since = mesh_mark(&scene->mesh);
+    add_square_sheet(&scene->mesh, size);
+    scene_add(scene, since, &(struct initial_state){FIXED, 2});
+    since = mesh_mark(&scene->mesh);
     add_sphere(&scene->mesh, 1);
     scene_add(scene, since,
-              &(struct start){RIGID, 0.05, .place = {0.1, 0.2, 3.5},
-                              .velocity = {0, 0, -100}});
+              &(struct initial_state){RIGID, 0.05,
+                                      .position = {0.1, 0.2, 3.5},
+                                      .velocity = {0, 0, -100}});
 }
 //<
 
@@ -142,9 +144,9 @@ static void fill_cloth(struct scene *scene, uint32_t size,
                        uint64_t seed)
 {
     (void)seed;
-    const struct mesh_end since = mesh_end(&scene->mesh);
-    add_cloth(&scene->mesh, size);
-    scene_add(scene, since, &(struct start){SOFT, 4});
+    const struct mesh_mark since = mesh_mark(&scene->mesh);
+    add_square_sheet(&scene->mesh, size);
+    scene_add(scene, since, &(struct initial_state){SOFT, 4});
     scene_complete(scene);
     const struct mesh *mesh = &scene->mesh;
     for (uint32_t i = 0; i < mesh->nodes; i++) {
@@ -164,8 +166,9 @@ static void fill_rings(struct scene *scene, uint32_t size,
 {
     (void)seed;
     for (int ring = 0; ring < 2; ring++) {
-        const struct mesh_end since = mesh_end(&scene->mesh);
-        struct start start = {RIGID, .place = {1.1 * ring, 0, 0}};
+        const struct mesh_mark since = mesh_mark(&scene->mesh);
+        struct initial_state initial = {RIGID,
+                                        .position = {1.1 * ring, 0, 0}};
         add_torus(&scene->mesh, 0.3, 2 * size, size);
         if (ring == 1) { // stand it up
             for (uint32_t i = since.node; i < scene->mesh.nodes; i++) {
@@ -173,10 +176,10 @@ static void fill_rings(struct scene *scene, uint32_t size,
                 scene->mesh.x[1][i] = -scene->mesh.x[2][i];
                 scene->mesh.x[2][i] = y;
             }
-            start.velocity[0] = 1;
-            start.spin[2] = 0.5;
+            initial.velocity[0] = 1;
+            initial.angular_velocity[2] = 0.5;
         }
-        scene_add(scene, since, &start);
+        scene_add(scene, since, &initial);
     }
 }
 //<
@@ -187,12 +190,13 @@ static void fill_rings(struct scene *scene, uint32_t size,
 static void fill_giant(struct scene *scene, uint32_t size,
                        uint64_t seed)
 {
-    struct mesh_end since = mesh_end(&scene->mesh);
+    struct mesh_mark since = mesh_mark(&scene->mesh);
     add_sphere(&scene->mesh, 0);
     const double side = ceil(cbrt(size));
     scene_add(scene, since,
-              &(struct start){FIXED, 2 * side,
-                              .place = {-2 * side - 1.2, side, side}});
+              &(struct initial_state){
+                  FIXED, 2 * side,
+                  .position = {-2 * side - 1.2, side, side}});
     fill_cloud(scene, size, 1, seed);
 }
 //<
@@ -229,7 +233,7 @@ struct scene build_scene(const struct built_in *built_in, uint32_t size,
 {
     struct scene scene = {0};
     built_in->fill(&scene, size, seed);
-    if (!scene.end[0]) // a fill that sets velocities has done it
+    if (!scene.predicted[0]) // a fill that sets velocities has done it
         scene_complete(&scene);
     return scene;
 }

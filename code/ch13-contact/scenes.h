@@ -9,7 +9,7 @@ struct built_in {
     const char *name;  // as in contact --scene NAME
     const char *about; // one line for contact --list
     uint32_t usual;    // its size, if none is asked for
-    uint32_t least, most;
+    uint32_t min_size, max_size;
     double dt; // of a step
     // Adds its bodies to an empty scene. The same size and seed give
     // the same scene.

@@ -7,16 +7,16 @@
 #include <math.h>
 
 //> Cut a triangle in four
-struct place {
+struct vertex {
     double x[3];
 };
 
 // The middle of two places, moved out to the sphere. A sum is the same
 // whichever of the two is first.
-static struct place middle_of(const struct place *a,
-                              const struct place *b)
+static struct vertex middle_of(const struct vertex *a,
+                               const struct vertex *b)
 {
-    struct place m;
+    struct vertex m;
     double length2 = 0;
     for (int k = 0; k < 3; k++) {
         m.x[k] = a->x[k] + b->x[k];
@@ -29,7 +29,7 @@ static struct place middle_of(const struct place *a,
 //<
 
 //> Cut until it is fine
-static void add_cut(struct mesh *mesh, const struct place p[3],
+static void add_cut(struct mesh *mesh, const struct vertex p[3],
                     int cuts)
 {
     if (cuts == 0) {
@@ -39,12 +39,12 @@ static void add_cut(struct mesh *mesh, const struct place p[3],
         mesh_add_triangle(mesh, c[0], c[1], c[2]);
         return;
     }
-    const struct place m[3] = {middle_of(&p[0], &p[1]),
-                               middle_of(&p[1], &p[2]),
-                               middle_of(&p[2], &p[0])};
-    add_cut(mesh, (struct place[]){p[0], m[0], m[2]}, cuts - 1);
-    add_cut(mesh, (struct place[]){m[0], p[1], m[1]}, cuts - 1);
-    add_cut(mesh, (struct place[]){m[2], m[1], p[2]}, cuts - 1);
+    const struct vertex m[3] = {middle_of(&p[0], &p[1]),
+                                middle_of(&p[1], &p[2]),
+                                middle_of(&p[2], &p[0])};
+    add_cut(mesh, (struct vertex[]){p[0], m[0], m[2]}, cuts - 1);
+    add_cut(mesh, (struct vertex[]){m[0], p[1], m[1]}, cuts - 1);
+    add_cut(mesh, (struct vertex[]){m[2], m[1], p[2]}, cuts - 1);
     add_cut(mesh, m, cuts - 1);
 }
 //<
@@ -54,11 +54,11 @@ static void add_cut(struct mesh *mesh, const struct place p[3],
 // ratio, one in each plane of two axes.
 static const double golden = 1.6180339887498949;
 
-static struct place corner_of_icosahedron(int c)
+static struct vertex corner_of_icosahedron(int c)
 {
     const int k = c / 4; // the axis on which the place is 0
     const double length = sqrt(1 + golden * golden);
-    struct place p = {{0}};
+    struct vertex p = {{0}};
     p.x[(k + 1) % 3] = (c & 1 ? -1 : 1) / length;
     p.x[(k + 2) % 3] = (c & 2 ? -golden : golden) / length;
     return p;
@@ -71,9 +71,9 @@ void add_sphere(struct mesh *mesh, int cuts)
         {1, 10, 4},  {1, 6, 11}, {1, 11, 10}, {2, 5, 3},  {2, 3, 7},
         {2, 8, 5},   {2, 7, 9},  {2, 9, 8},   {3, 5, 10}, {3, 11, 7},
         {3, 10, 11}, {4, 5, 8},  {4, 10, 5},  {6, 9, 7},  {6, 7, 11}};
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     for (int t = 0; t < 20; t++) {
-        struct place p[3];
+        struct vertex p[3];
         for (int k = 0; k < 3; k++)
             p[k] = corner_of_icosahedron(corner[t][k]);
         add_cut(mesh, p, cuts);
@@ -144,14 +144,14 @@ static void add_sheet(struct mesh *mesh, uint32_t cuts, int axis,
             add_square(mesh, l, i, j);
 }
 
-void add_cloth(struct mesh *mesh, uint32_t cuts)
+void add_square_sheet(struct mesh *mesh, uint32_t cuts)
 {
     add_sheet(mesh, cuts, 2, 0);
 }
 
 void add_box(struct mesh *mesh, uint32_t cuts)
 {
-    const struct mesh_end since = mesh_end(mesh);
+    const struct mesh_mark since = mesh_mark(mesh);
     for (int axis = 0; axis < 3; axis++) {
         add_sheet(mesh, cuts, axis, 1);
         add_sheet(mesh, cuts, axis, -1);

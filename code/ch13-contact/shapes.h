@@ -1,7 +1,7 @@
 //> Declare the shapes
 // Bodies to try things on, added to the end of a mesh, their middle at
-// the origin, all but the cloth closed. Corners are counterclockwise
-// seen from outside.
+// the origin, all but the square sheet closed. Corners are
+// counterclockwise seen from outside.
 #pragma once
 #include "ch13-contact/mesh.h"
 
@@ -20,5 +20,5 @@ void add_box(struct mesh *mesh, uint32_t cuts);
 
 // A square sheet of side 2 in the plane z = 0, of cuts by cuts squares:
 // 2 cuts^2 triangles.
-void add_cloth(struct mesh *mesh, uint32_t cuts);
+void add_square_sheet(struct mesh *mesh, uint32_t cuts);
 //<

@@ -1,7 +1,8 @@
 //> Let bodies sleep
 // Whatever sleeps or wakes, nothing crosses: a body that sleeps stays,
 // and pairs in which something moves are searched as ever. Only how a
-// heap looks depends on it.
+// heap looks depends on it. A step costs time in proportion to the
+// bodies and the contacts.
 #include "ch13-contact/sleep.h"
 #include "ch13-contact/vectors.h"
 #include "common/allocate.h"
@@ -22,10 +23,10 @@ struct sleepers sleepers_of(const struct scene *scene,
         const struct body *body = &scene->body[b];
         double reach2 = 0;
         for (uint32_t i = body->begin.node; i < body->end.node; i++) {
-            const double rest[3] = {scene->rest[0][i],
-                                    scene->rest[1][i],
-                                    scene->rest[2][i]};
-            reach2 = MAX(reach2, dot(rest, rest));
+            const double local[3] = {scene->local[0][i],
+                                     scene->local[1][i],
+                                     scene->local[2][i]};
+            reach2 = MAX(reach2, dot(local, local));
         }
         sleepers.rest[b] = (struct rest){.pose = pose_after(body, 0),
                                          .reach = sqrt(reach2)};
@@ -41,21 +42,25 @@ void sleepers_free(struct sleepers *sleepers)
 //<
 
 //> See whether a body has left its place
-// By more than a hundredth of its reach. Two quaternions that differ by
-// d turn a node to places that are at most 2 d times the reach apart.
+// By more than LEEWAY, a share of its reach. Two quaternions that
+// differ by d turn a node to places that are at most 2 d times the
+// reach apart.
+static const double LEEWAY = 0.01;
+
 static bool has_left(const struct body *body, const struct rest *rest)
 {
     double way2 = 0, turn2 = 0;
     for (int k = 0; k < 3; k++) {
-        const double way = body->place[k] - rest->pose.place[k];
+        const double way = body->position[k] - rest->pose.position[k];
         way2 += way * way;
     }
     for (int k = 0; k < 4; k++) {
-        const double turn = body->turn[k] - rest->pose.turn[k];
+        const double turn =
+            body->orientation[k] - rest->pose.orientation[k];
         turn2 += turn * turn;
     }
     return sqrt(way2) + 2 * rest->reach * sqrt(turn2) >
-           0.01 * rest->reach;
+           LEEWAY * rest->reach;
 }
 //<
 
@@ -75,7 +80,7 @@ static void fall_asleep(struct sleepers *sleepers, struct body *body,
         return;
     body->motion = ASLEEP;
     memset(body->velocity, 0, sizeof body->velocity);
-    memset(body->spin, 0, sizeof body->spin);
+    memset(body->angular_velocity, 0, sizeof body->angular_velocity);
     sleepers->asleep++;
 }
 //<
@@ -100,22 +105,22 @@ static void wake(struct sleepers *sleepers, struct scene *scene,
 
 //> Sleep or wake
 void sleep_or_wake(struct sleepers *sleepers, struct scene *scene,
-                   const struct touches *touches)
+                   const struct contact_cache *cache)
 {
     uint32_t two[2];
     assert(sleepers->patience == 0 || sleepers->patience > AGAIN);
     if (sleepers->patience == 0)
         return;
-    for (uint32_t t = 0; t < touches->count; t++) {
-        bodies_of_touch(&touches->touch[t], scene, two);
+    for (uint32_t c = 0; c < cache->count; c++) {
+        bodies_of_contact(&cache->contact[c], scene, two);
         for (int k = 0; k < 2; k++)
             sleepers->rest[two[k]].touched = true;
     }
     for (uint32_t b = 0; b < scene->bodies; b++)
         if (scene->body[b].motion == RIGID)
             fall_asleep(sleepers, &scene->body[b], &sleepers->rest[b]);
-    for (uint32_t t = 0; t < touches->count; t++) {
-        bodies_of_touch(&touches->touch[t], scene, two);
+    for (uint32_t c = 0; c < cache->count; c++) {
+        bodies_of_contact(&cache->contact[c], scene, two);
         wake(sleepers, scene, two[0], two[1]);
         wake(sleepers, scene, two[1], two[0]);
     }

@@ -4,8 +4,8 @@
 // next to nothing until something that touches it leaves its place. (As
 // in games; Bullet lets whole islands of bodies sleep.)
 #pragma once
+#include "ch13-contact/contact_cache.h"
 #include "ch13-contact/motion.h"
-#include "ch13-contact/touches.h"
 
 //> Hold how long a body has stayed
 struct rest {
@@ -29,5 +29,5 @@ void sleepers_free(struct sleepers *sleepers);
 
 // After a step: lets bodies fall asleep, and wakes others.
 void sleep_or_wake(struct sleepers *sleepers, struct scene *scene,
-                   const struct touches *touches);
+                   const struct contact_cache *cache);
 //<

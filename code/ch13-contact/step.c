@@ -3,43 +3,51 @@
 // moves, and so it goes on, in rounds, until nothing that moves has an
 // event. In the worst case nothing moves at all, and what was apart is
 // apart. Boxes over the whole step hold a body that stays as well: the
-// candidates are found once.
+// candidates are found once, and a further round costs no more than to
+// search again those in which something has just come to rest.
 #include "ch13-contact/step.h"
-#include "ch13-contact/at_rest.h"
 #include "ch13-contact/motion.h"
+#include "ch13-contact/static_test.h"
 #include "common/allocate.h"
 #include "common/clock.h"
 #include <stdlib.h>
 #include <string.h>
 
 //> Set up a simulation
+// For the contact cache and for sleep: what their fields say.
+static const double FRICTION = 0.4;
+enum { MAX_AGE = 8, ROUNDS = 10, PATIENCE = 16 };
+
 struct simulation simulation_of(struct scene scene,
-                                const struct broad *broad, double dt,
-                                int threads)
+                                const struct broad_phase *phase,
+                                double dt, int threads)
 {
     return (struct simulation){
         .scene = scene,
-        .broad = broad,
-        .kept = broad->begin(broad),
+        .broad_phase = phase,
+        .kept = phase->begin(phase),
         .dt = dt,
-        .tolerance = 1e-9,
+        .tolerance = DEFAULT_TOLERANCE,
         .threads = threads,
-        .touches = {.friction = 0.4, .life = 8, .rounds = 10},
-        .sleepers = sleepers_of(&scene, 16),
-        .still = allocate(scene.mesh.nodes, sizeof(uint32_t))};
+        .contacts = {.friction = FRICTION,
+                     .max_age = MAX_AGE,
+                     .rounds = ROUNDS},
+        .sleepers = sleepers_of(&scene, PATIENCE),
+        .stopped_in_round =
+            allocate(scene.mesh.nodes, sizeof(uint32_t))};
 }
 
 void simulation_free(struct simulation *s)
 {
-    s->broad->end(s->kept);
+    s->broad_phase->end(s->kept);
     scene_free(&s->scene);
     boxes_free(&s->boxes);
     pairs_free(&s->pairs);
     events_free(&s->events);
     events_free(&s->more);
-    touches_free(&s->touches);
+    contacts_free(&s->contacts);
     sleepers_free(&s->sleepers);
-    free(s->still);
+    free(s->stopped_in_round);
 }
 //<
 
@@ -51,39 +59,44 @@ static uint32_t stay(struct simulation *s, uint32_t node,
 {
     struct scene *scene = &s->scene;
     const struct body *body = &scene->body[scene->body_of_node[node]];
-    if (s->still[node])
+    if (s->stopped_in_round[node])
         return 0;
     const bool rigid = body->motion == RIGID;
     const uint32_t begin = rigid ? body->begin.node : node;
     const uint32_t end = rigid ? body->end.node : node + 1;
     for (uint32_t i = begin; i < end; i++) {
-        s->still[i] = round;
+        s->stopped_in_round[i] = round;
         for (int k = 0; k < 3; k++)
-            scene->end[k][i] = scene->mesh.x[k][i];
+            scene->predicted[k][i] = scene->mesh.x[k][i];
     }
     return end - begin;
 }
 //<
 
-//> Stop until nothing touches
+//> Begin the rounds
 // Round 1 is for what cannot move at all.
 static void begin_rounds(struct simulation *s)
 {
     const struct scene *scene = &s->scene;
     for (uint32_t i = 0; i < scene->mesh.nodes; i++) {
         const uint32_t b = scene->body_of_node[i];
-        s->still[i] = is_held(&scene->body[b]);
+        s->stopped_in_round[i] = is_held(&scene->body[b]);
     }
 }
 //<
 
-//> Go on in rounds
+//> Stop in rounds
 static void stop_in_rounds(struct simulation *s,
                            struct step_report *report)
 {
     const struct events *events = &s->events;
-    struct event_search search = {&s->scene, &s->pairs,  s->tolerance,
-                                  s->still,  .round = 2, s->threads};
+    struct event_search search = {.scene = &s->scene,
+                                  .pairs = &s->pairs,
+                                  .tolerance = s->tolerance,
+                                  .stopped_in_round =
+                                      s->stopped_in_round,
+                                  .round = 2,
+                                  .threads = s->threads};
     for (;;) {
         uint32_t fresh = 0;
         for (uint64_t e = 0; e < events->all.count; e++)
@@ -95,23 +108,23 @@ static void stop_in_rounds(struct simulation *s,
         if (fresh == 0)
             break;
         find_events(&s->more, &search);
-        remember(&s->touches, &s->scene, &s->more);
+        contacts_merge(&s->contacts, &s->scene, &s->more);
         events = &s->more;
         search.round++;
     }
 }
 //<
 
-//> Calm what stays
-// It has not moved, whatever its velocity said: it loses a part, so
-// that what is held fast comes to rest.
-static const double calm = 0.8;
+//> Damp what stays
+// It has not moved, whatever its velocity said: it keeps only so much
+// of that, or it would gather speed while it is held.
+static const double DAMPING = 0.8;
 
-static void calm_down(struct body *body)
+static void damp(struct body *body)
 {
     for (int k = 0; k < 3; k++) {
-        body->velocity[k] *= calm;
-        body->spin[k] *= calm;
+        body->velocity[k] *= DAMPING;
+        body->angular_velocity[k] *= DAMPING;
     }
 }
 //<
@@ -124,16 +137,17 @@ static void advance(struct simulation *s)
         struct body *body = &scene->body[b];
         if (body->motion != RIGID)
             continue;
-        if (s->still[body->begin.node]) {
-            calm_down(body);
+        if (s->stopped_in_round[body->begin.node]) {
+            damp(body);
             continue;
         }
         const struct pose pose = pose_after(body, s->dt);
-        memcpy(body->place, pose.place, sizeof pose.place);
-        memcpy(body->turn, pose.turn, sizeof pose.turn);
+        memcpy(body->position, pose.position, sizeof pose.position);
+        memcpy(body->orientation, pose.orientation,
+               sizeof pose.orientation);
     }
     for (int k = 0; k < 3; k++)
-        memcpy(scene->mesh.x[k], scene->end[k],
+        memcpy(scene->mesh.x[k], scene->predicted[k],
                scene->mesh.nodes * sizeof(double));
 }
 //<
@@ -142,13 +156,13 @@ static void advance(struct simulation *s)
 static void handle(struct simulation *s, struct step_report *report)
 {
     if (!s->passive) {
-        grow_old(&s->touches, &s->scene);
-        remember(&s->touches, &s->scene, &s->events);
+        contacts_age(&s->contacts, &s->scene);
+        contacts_merge(&s->contacts, &s->scene, &s->events);
         stop_in_rounds(s, report);
     }
     advance(s);
     if (!s->passive)
-        sleep_or_wake(&s->sleepers, &s->scene, &s->touches);
+        sleep_or_wake(&s->sleepers, &s->scene, &s->contacts);
 }
 //<
 
@@ -157,7 +171,7 @@ static void search_boxes(struct simulation *s)
 {
     const struct broad_search search = {&s->boxes, s->scene.group,
                                         &s->pairs, s->threads};
-    find_pairs(s->broad, s->kept, &search);
+    find_pairs(s->broad_phase, s->kept, &search);
 }
 
 static void search_pairs(struct simulation *s)
@@ -165,7 +179,8 @@ static void search_pairs(struct simulation *s)
     const struct event_search search = {.scene = &s->scene,
                                         .pairs = &s->pairs,
                                         .tolerance = s->tolerance,
-                                        .still = s->still,
+                                        .stopped_in_round =
+                                            s->stopped_in_round,
                                         .round = 1,
                                         .threads = s->threads};
     begin_rounds(s);
@@ -175,7 +190,7 @@ static void search_pairs(struct simulation *s)
 static void predict(struct simulation *s)
 {
     scene_accelerate(&s->scene, s->dt);
-    push_apart(&s->touches, &s->scene);
+    solve_contacts(&s->contacts, &s->scene);
     scene_predict(&s->scene, s->dt, s->threads);
 }
 //<
@@ -204,7 +219,7 @@ struct step_report take_step(struct simulation *s)
     report.hits = s->events.all.hits;
     report.events = s->events.all.count;
     report.tests = s->events.all.counts;
-    report.touches = s->touches.count;
+    report.contacts = s->contacts.count;
     report.asleep = s->sleepers.asleep;
     return report;
 }
@@ -214,7 +229,7 @@ struct step_report take_step(struct simulation *s)
 void search_now(struct simulation *s)
 {
     for (int k = 0; k < 3; k++)
-        memcpy(s->scene.end[k], s->scene.mesh.x[k],
+        memcpy(s->scene.predicted[k], s->scene.mesh.x[k],
                s->scene.mesh.nodes * sizeof(double));
     capture(&s->boxes, &s->scene, s->tolerance, s->threads);
     search_boxes(s);

@@ -1,6 +1,8 @@
 //> Follow the ends of boxes
 // Insertion along each axis: an end that moves past another one is a
 // swap, and there are as many as neighbors have changed their order.
+// A step costs one look at each end and a look into the set of pairs
+// for each swap; with too many swaps, a sort and a sweep.
 #include "ch13-contact/sweep_and_prune.h"
 #include "ch12-range-queries/radix_sort.h"
 #include "ch13-contact/axis_sweep.h"
@@ -25,11 +27,11 @@ struct sweep_and_prune {
 //<
 
 //> Keep ends from step to step
-void *begin_sweep_and_prune(const struct broad *broad)
+void *begin_sweep_and_prune(const struct broad_phase *phase)
 {
     struct sweep_and_prune *kept = allocate(1, sizeof *kept);
     *kept = (struct sweep_and_prune){.meeting = pair_set_make(),
-                                     .sweep = begin_sweep(broad)};
+                                     .sweep = begin_sweep(phase)};
     return kept;
 }
 
@@ -116,19 +118,20 @@ static void pass(struct sweep_and_prune *kept,
                  uint32_t up)
 {
     const uint32_t i = down / 2, j = up / 2;
-    const uint32_t *group = search->group;
     if (down % 2 == up % 2 || i == j ||
-        (group && group[i] == group[j] && group[i] != UINT32_MAX))
+        is_same_group(search->group, i, j))
         return;
     if (down % 2)
         pair_set_remove(&kept->meeting, i, j);
-    else if (boxes_meet(search->boxes, i, j))
+    else if (box_meets(search->boxes, i, search->boxes, j))
         pair_set_add(&kept->meeting, i, j);
 }
 //<
 
 //> Repair the order of the ends
 // False if that takes too many swaps.
+enum { MAX_SWAPS = 32 }; // for each end, along all axes
+
 static bool is_behind(struct box_end a, struct box_end b)
 {
     return a.x > b.x || (a.x == b.x && a.name % 2 > b.name % 2);
@@ -139,11 +142,11 @@ static bool repair(struct sweep_and_prune *kept,
                    uint64_t *swaps)
 {
     const uint32_t ends = 2 * kept->n;
-    const uint64_t most = 32 * (uint64_t)ends;
+    const uint64_t max_swaps = MAX_SWAPS * (uint64_t)ends;
     struct box_end *end = kept->end[k];
     for (uint32_t r = 0; r < ends; r++)
         end[r].x = end_of_box(search->boxes, k, end[r].name);
-    for (uint32_t r = 1; r < ends && *swaps <= most; r++) {
+    for (uint32_t r = 1; r < ends && *swaps <= max_swaps; r++) {
         const struct box_end moved = end[r];
         uint32_t place = r;
         for (; place > 0 && is_behind(end[place - 1], moved); place--) {
@@ -153,7 +156,7 @@ static bool repair(struct sweep_and_prune *kept,
         end[place] = moved;
         *swaps += r - place;
     }
-    return *swaps <= most;
+    return *swaps <= max_swaps;
 }
 //<
 

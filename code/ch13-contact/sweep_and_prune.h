@@ -5,11 +5,11 @@
 // change costs nothing (Baraff 1992; Cohen, Lin, Manocha and Ponamgi
 // 1995).
 #pragma once
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 
 // One thread works. Groups must stay as they are as long as their
 // array, and the number of boxes, are the same.
-void *begin_sweep_and_prune(const struct broad *broad);
+void *begin_sweep_and_prune(const struct broad_phase *phase);
 void find_by_sweep_and_prune(void *kept,
                              const struct broad_search *search);
 void end_sweep_and_prune(void *kept);

@@ -1,6 +1,6 @@
 // The program contact: gets a scene, takes steps, and writes a table of
 // them, their events, their pictures, or a summary.
-#include "ch13-contact/at_rest.h"
+#include "ch13-contact/static_test.h"
 #include "common/fail.h"
 #include "contact/help.h"
 #include "contact/options.h"
@@ -50,7 +50,7 @@ static void insist_on_apart(struct simulation *s,
 static bool pairs_are_right(const struct simulation *s)
 {
     struct pairs plain = {0};
-    const struct broad *all = find_broad("all-pairs");
+    const struct broad_phase *all = find_broad_phase("all-pairs");
     const struct broad_search search = {&s->boxes, s->scene.group,
                                         &plain, s->threads};
     find_pairs(all, NULL, &search);
@@ -68,7 +68,7 @@ static bool step_is_right(struct simulation *s, uint32_t step)
         fprintf(stderr,
                 "check: step %" PRIu32 ": %s has other candidates than "
                 "all pairs\n",
-                step, s->broad->name);
+                step, s->broad_phase->name);
         return false;
     }
     const uint64_t crossing = s->passive ? 0 : count_crossing(s);
@@ -102,7 +102,7 @@ static void print_summary(const struct simulation *s, uint32_t steps,
            s->scene.bodies, s->scene.mesh.triangles,
            s->scene.mesh.nodes);
     printf("steps       %" PRIu32 " of %g, %s, at most %d thread%s\n",
-           steps, s->dt, s->broad->name, s->threads,
+           steps, s->dt, s->broad_phase->name, s->threads,
            s->threads > 1 ? "s" : "");
     printf("candidates  %.6g a step, %.6g looked at\n", candidates / n,
            (double)sum->tested / n);

@@ -1,7 +1,7 @@
 // The manual, line by line, and lists made from the tables. Lines of at
 // most 63 letters fit any terminal.
 #include "contact/help.h"
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 #include "ch13-contact/scenes.h"
 #include <stdio.h>
 
@@ -83,6 +83,7 @@ void print_contact_list(void)
         printf("  %-16s %s (-n %u)\n", built_ins[row].name,
                built_ins[row].about, built_ins[row].usual);
     puts("\nbroad phases (-a):");
-    for (int row = 0; row < broad_count; row++)
-        printf("  %-16s %s\n", broads[row].name, broads[row].about);
+    for (int row = 0; row < broad_phase_count; row++)
+        printf("  %-16s %s\n", broad_phases[row].name,
+               broad_phases[row].about);
 }

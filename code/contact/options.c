@@ -16,9 +16,9 @@ static const struct built_in *parse_scene(const char *text)
     return found;
 }
 
-static const struct broad *parse_broad(const char *text)
+static const struct broad_phase *parse_broad(const char *text)
 {
-    const struct broad *found = find_broad(text);
+    const struct broad_phase *found = find_broad_phase(text);
     if (!found)
         fail("-a: there is no broad phase \"%s\"; see contact --list",
              text);
@@ -77,16 +77,16 @@ static void check_options(struct options *o)
         fail("--events is what -o writes; say -o FILE as well");
     if (o->built_in && !o->size)
         o->size = o->built_in->usual;
-    if (o->built_in &&
-        (o->size < o->built_in->least || o->size > o->built_in->most))
+    if (o->built_in && (o->size < o->built_in->min_size ||
+                        o->size > o->built_in->max_size))
         fail("-n: %s can have a size from %u to %u", o->built_in->name,
-             o->built_in->least, o->built_in->most);
+             o->built_in->min_size, o->built_in->max_size);
 }
 
 struct options parse_contact_options(int argc, char **argv)
 {
     struct options o = {
-        .seed = 1, .steps = 100, .broad = find_broad("clusters")};
+        .seed = 1, .steps = 100, .broad = find_broad_phase("clusters")};
     const struct option names[] = {
         {"scene", required_argument, NULL, SCENE},
         {"steps", required_argument, NULL, STEPS},

@@ -1,6 +1,6 @@
 // The command line of contact, checked.
 #pragma once
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 #include "ch13-contact/scenes.h"
 
 struct options {
@@ -11,7 +11,7 @@ struct options {
     uint32_t steps;
     double dt;        // 0: as the scene says
     double tolerance; // 0: as usual
-    const struct broad *broad;
+    const struct broad_phase *broad;
     int threads;          // 0: as many as are worth it
     const char *output;   // file for the table, "-": standard output
     const char *pictures; // folder for them; or NULL

@@ -33,7 +33,7 @@ static void close_file(FILE *file, const char *folder)
 
 static uint32_t between_pictures(uint32_t steps)
 {
-    return (steps + MOST_PICTURES - 1) / MOST_PICTURES;
+    return (steps + MAX_PICTURES - 1) / MAX_PICTURES;
 }
 
 static void write_ranges(FILE *script, const struct scene *scene)
@@ -98,11 +98,11 @@ void pictures_add(const char *folder, const struct simulation *s,
         return;
     const struct mesh *mesh = &s->scene.mesh;
     const struct event_list *events = &s->events.all;
-    uint8_t *touches = allocate(mesh->nodes, 1);
-    memset(touches, 0, mesh->nodes);
+    uint8_t *has_event = allocate(mesh->nodes, 1);
+    memset(has_event, 0, mesh->nodes);
     for (uint64_t e = 0; e < events->count; e++)
         for (int k = 0; k < 4; k++)
-            touches[events->event[e].node[k]] = 1;
+            has_event[events->event[e].node[k]] = 1;
     char name[32];
     snprintf(name, sizeof name, "step-%06" PRIu32 ".dat", step);
     FILE *file = open_in(folder, name);
@@ -110,7 +110,7 @@ void pictures_add(const char *folder, const struct simulation *s,
         for (uint32_t t = 0; t < mesh->triangles; t++) {
             const uint32_t *c = mesh->corner[t];
             const bool apart =
-                touches[c[0]] | touches[c[1]] | touches[c[2]];
+                has_event[c[0]] | has_event[c[1]] | has_event[c[2]];
             const bool fixed =
                 s->scene.body[s->scene.body_of[t]].motion == FIXED;
             if (apart == (index == 1) && !(fixed && mesh->nodes > 500))
@@ -122,5 +122,5 @@ void pictures_add(const char *folder, const struct simulation *s,
                 x, y, z);
     }
     close_file(file, folder);
-    free(touches);
+    free(has_event);
 }

@@ -8,7 +8,7 @@ void pictures_begin(const char *folder, const struct scene *scene,
                     uint32_t steps);
 
 // Writes the data of a picture, if this step is to have one: at most
-// MOST_PICTURES do, the last one among them.
-enum { MOST_PICTURES = 24 };
+// MAX_PICTURES do, the last one among them.
+enum { MAX_PICTURES = 24 };
 void pictures_add(const char *folder, const struct simulation *s,
                   uint32_t step, uint32_t steps);

@@ -5,7 +5,6 @@
 #include "ch13-contact/shapes.h"
 #include "common/fail.h"
 #include "common/fields.h"
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,33 +16,33 @@ struct reader {
 };
 
 // Beyond that, squares of coordinates say nothing any more.
-static const double most_number = 1e9;
+static const double MAX_NUMBER = 1e9;
 
-static double take_number(struct reader *reader, double least,
-                          double most, const char *expected)
+static double take_number(struct reader *reader, double min, double max,
+                          const char *expected)
 {
     double number;
     if (!reader->field || !read_number(reader->field, ' ', &number) ||
-        !(number >= least && number <= most))
+        !(number >= min && number <= max))
         reject(&reader->lines, expected);
     reader->field = next_field(reader->field, ' ');
     return number;
 }
 
-static uint32_t take_whole(struct reader *reader, double least,
-                           double most, const char *expected)
+static uint32_t take_count(struct reader *reader, double min,
+                           double max, const char *expected)
 {
-    const double number = take_number(reader, least, most, expected);
-    if (number != floor(number))
-        reject(&reader->lines, expected);
-    return (uint32_t)number;
+    const uint32_t count =
+        take_whole(&reader->lines, reader->field, min, max, expected);
+    reader->field = next_field(reader->field, ' ');
+    return count;
 }
 
 static void take_vector(struct reader *reader, double x[3],
                         const char *expected)
 {
     for (int k = 0; k < 3; k++)
-        x[k] = take_number(reader, -most_number, most_number, expected);
+        x[k] = take_number(reader, -MAX_NUMBER, MAX_NUMBER, expected);
 }
 
 static bool is_next(struct reader *reader, const char *word)
@@ -78,8 +77,8 @@ static void take_torus(struct reader *reader)
                                    "two numbers of sides from 3 "
                                    "to 10000";
     const double tube = take_number(reader, 1e-6, 1e6, expected);
-    const uint32_t around = take_whole(reader, 3, 10000, expected);
-    const uint32_t across = take_whole(reader, 3, 10000, expected);
+    const uint32_t around = take_count(reader, 3, 10000, expected);
+    const uint32_t across = take_count(reader, 3, 10000, expected);
     add_torus(&reader->scene.mesh, tube, around, across);
 }
 
@@ -87,16 +86,17 @@ static void take_shape(struct reader *reader)
 {
     struct mesh *mesh = &reader->scene.mesh;
     if (is_next(reader, "sphere"))
-        add_sphere(mesh, take_whole(reader, 0, 8,
+        add_sphere(mesh, take_count(reader, 0, 8,
                                     "sphere and its cuts, 0 to 8"));
     else if (is_next(reader, "torus"))
         take_torus(reader);
     else if (is_next(reader, "box"))
-        add_box(mesh, take_whole(reader, 1, 1000,
+        add_box(mesh, take_count(reader, 1, 1000,
                                  "box and its cuts, 1 to 1000"));
     else if (is_next(reader, "cloth"))
-        add_cloth(mesh, take_whole(reader, 1, 1000,
-                                   "cloth and its cuts, 1 to 1000"));
+        add_square_sheet(mesh,
+                         take_count(reader, 1, 1000,
+                                    "cloth and its cuts, 1 to 1000"));
     else if (is_next(reader, "file"))
         take_file(reader);
     else
@@ -104,22 +104,24 @@ static void take_shape(struct reader *reader)
                "sphere, torus, box, cloth, file or gravity");
 }
 
-static void take_start(struct reader *reader, struct start *start)
+static void take_initial_state(struct reader *reader,
+                               struct initial_state *initial)
 {
     if (is_next(reader, "at"))
-        take_vector(reader, start->place, "at and three numbers");
+        take_vector(reader, initial->position, "at and three numbers");
     else if (is_next(reader, "size"))
-        start->size = take_number(reader, 1e-9, most_number,
-                                  "size and a number above 0");
+        initial->size = take_number(reader, 1e-9, MAX_NUMBER,
+                                    "size and a number above 0");
     else if (is_next(reader, "velocity"))
-        take_vector(reader, start->velocity,
+        take_vector(reader, initial->velocity,
                     "velocity and three numbers");
     else if (is_next(reader, "spin"))
-        take_vector(reader, start->spin, "spin and three numbers");
+        take_vector(reader, initial->angular_velocity,
+                    "spin and three numbers");
     else if (is_next(reader, "fixed"))
-        start->motion = FIXED;
+        initial->motion = FIXED;
     else if (is_next(reader, "soft"))
-        start->motion = SOFT;
+        initial->motion = SOFT;
     else
         reject(&reader->lines,
                "at, size, velocity, spin, fixed or soft");
@@ -135,12 +137,12 @@ static void take_line_of_scene(struct reader *reader)
             reject(&reader->lines, "gravity and three numbers");
         return;
     }
-    const struct mesh_end since = mesh_end(&reader->scene.mesh);
-    struct start start = {RIGID};
+    const struct mesh_mark since = mesh_mark(&reader->scene.mesh);
+    struct initial_state initial = {RIGID};
     take_shape(reader);
     while (reader->field)
-        take_start(reader, &start);
-    scene_add(&reader->scene, since, &start);
+        take_initial_state(reader, &initial);
+    scene_add(&reader->scene, since, &initial);
 }
 
 struct scene read_scene(const char *name)

@@ -1,4 +1,5 @@
-// See table.h.
+// Rows of numbers, a tab between two: counts and times of each phase,
+// or events with their nodes.
 #include "contact/table.h"
 #include "common/numbers.h"
 #include "near/write.h"
@@ -14,7 +15,7 @@ static void write_text(const char *text)
 void write_step_head(void)
 {
     write_text(
-        "step\ttested\tcandidates\tfalse_share\tevents\ttouches"
+        "step\ttested\tcandidates\tfalse_positives\tevents\ttouches"
         "\tstopped\trounds\tasleep\tpredict_ns\tcapture_ns\tbroad_ns"
         "\tnarrow_ns\thandle_ns\n");
 }
@@ -22,14 +23,14 @@ void write_step_head(void)
 void write_step(uint32_t step, const struct step_report *r)
 {
     char line[320];
-    const double missed = (double)(r->candidates - r->hits);
+    const double false_positives = (double)(r->candidates - r->hits);
     int used = snprintf(
         line, sizeof line,
         "%" PRIu32 "\t%" PRIu64 "\t%" PRIu64 "\t%.6g\t%" PRIu64
         "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32 "\t%" PRIu32,
         step, r->tested, r->candidates,
-        r->candidates > 0 ? missed / (double)r->candidates : 0,
-        r->events, r->touches, r->stopped, r->rounds, r->asleep);
+        r->candidates > 0 ? false_positives / (double)r->candidates : 0,
+        r->events, r->contacts, r->stopped, r->rounds, r->asleep);
     for (int phase = 0; phase < PHASES; phase++)
         used += snprintf(line + used, sizeof line - used, "\t%" PRId64,
                          r->ns[phase]);

@@ -11,7 +11,6 @@
 #include "common/min_max.h"
 #include "peers/broad_phase_peer.h"
 #include <inttypes.h>
-#include <math.h>
 
 enum { MAX_TRIALS = 20, TRIANGLES_PER_BODY = 69, FEWER = 20000 };
 
@@ -33,17 +32,8 @@ static void whole_bodies(const struct scene *scene,
 {
     boxes_reserve(to, scene->bodies);
     for (uint32_t b = 0; b < scene->bodies; b++)
-        for (int k = 0; k < 3; k++) {
-            const struct body *body = &scene->body[b];
-            double low = INFINITY, high = -INFINITY;
-            for (uint32_t t = body->begin.triangle;
-                 t < body->end.triangle; t++) {
-                low = MIN(low, triangles->low[k][t]);
-                high = MAX(high, triangles->high[k][t]);
-            }
-            to->low[k][b] = low;
-            to->high[k][b] = high;
-        }
+        boxes_unite(to, b, triangles, scene->body[b].begin.triangle,
+                    scene->body[b].end.triangle);
 }
 
 static void lay_out(struct steps *steps, int step)
@@ -71,8 +61,8 @@ static struct steps *steps_of(uint32_t n, bool whole, int trials)
         scene_predict(&scene, 1 + 0.01 * step, 1);
         for (int k = 0; k < 3; k++) { // at rest, there
             double *swap = scene.mesh.x[k];
-            scene.mesh.x[k] = scene.end[k];
-            capture(&triangles, &scene, 1e-9, 1);
+            scene.mesh.x[k] = scene.predicted[k];
+            capture(&triangles, &scene, DEFAULT_TOLERANCE, 1);
             scene.mesh.x[k] = swap;
         }
         steps->boxes[step] = triangles;
@@ -120,20 +110,20 @@ static void print_program(const char *name, const char *kind,
 static void run_ours(const char *name, const char *kind,
                      struct steps *steps, int trials)
 {
-    const struct broad *broad = find_broad(name);
+    const struct broad_phase *phase = find_broad_phase(name);
     struct pairs pairs = {0};
     double ns[MAX_TRIALS + 1];
-    void *kept = broad->begin(broad);
+    void *kept = phase->begin(phase);
     for (int step = 0; step <= trials; step++) {
         const int64_t start = clock_ns();
         const struct broad_search search = {&steps->boxes[step], NULL,
                                             &pairs, 1};
-        find_pairs(broad, kept, &search);
+        find_pairs(phase, kept, &search);
         ns[step] = (double)(clock_ns() - start);
         compare(name, steps, step, pairs.count, false);
     }
     print_program(name, kind, steps, ns, trials, pairs.count);
-    broad->end(kept);
+    phase->end(kept);
     pairs_free(&pairs);
 }
 

@@ -1,6 +1,6 @@
 // Every broad phase finds the pairs of a loop over all pairs, in the
 // same order.
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 #include "ch13-contact/scenes.h"
 #include "ch13-contact/step.h"
 #include "common/random.h"
@@ -83,7 +83,7 @@ static void group_boxes(uint32_t *group, uint32_t n,
 {
     for (uint32_t t = 0; t < n; t++) {
         const uint32_t draw = random_bits(random) % 8;
-        group[t] = draw == 0 ? UINT32_MAX : draw < 4 ? t / 7 : draw;
+        group[t] = draw == 0 ? NO_INDEX : draw < 4 ? t / 7 : draw;
     }
 }
 
@@ -117,7 +117,7 @@ static uint64_t count_plainly(const struct boxes *b,
     for (uint32_t i = 0; i < b->n; i++)
         for (uint32_t j = 0; j < i; j++) {
             bool apart =
-                group && group[i] == group[j] && group[i] != UINT32_MAX;
+                group && group[i] == group[j] && group[i] != NO_INDEX;
             for (int k = 0; k < 3; k++)
                 apart |= b->high[k][i] < b->low[k][j] ||
                          b->high[k][j] < b->low[k][i];
@@ -126,8 +126,8 @@ static uint64_t count_plainly(const struct boxes *b,
     return count;
 }
 
-static void run_row(const struct broad *row, uint32_t n, enum kind kind,
-                    int threads)
+static void run_row(const struct broad_phase *row, uint32_t n,
+                    enum kind kind, int threads)
 {
     static uint32_t group[MOST];
     struct random random = {n + 100 * kind};
@@ -142,7 +142,7 @@ static void run_row(const struct broad *row, uint32_t n, enum kind kind,
                                             threads};
         find_pairs(row, kept, &search);
         const struct broad_search all = {&boxes, groups, &plain, 1};
-        find_pairs(&broads[0], NULL, &all);
+        find_pairs(&broad_phases[0], NULL, &all);
         CHECK_INT(count_plainly(&boxes, groups), plain.count,
                   "all pairs of %u boxes, kind %d", n, kind);
         CHECK(same_pairs(&found, &plain),
@@ -160,10 +160,10 @@ static void run_row(const struct broad *row, uint32_t n, enum kind kind,
 void all_broad_phases(void)
 {
     static const uint32_t sizes[] = {0, 1, 2, 3, 33, MOST};
-    for (int row = 0; row < broad_count; row++)
+    for (int row = 0; row < broad_phase_count; row++)
         for (int kind = 0; kind < KINDS; kind++)
             for (int size = 0; size < 6; size++)
-                run_row(&broads[row], sizes[size], kind,
+                run_row(&broad_phases[row], sizes[size], kind,
                         size < 4 ? 1 : 1 << (size + kind) % 3);
 }
 
@@ -173,20 +173,20 @@ void moving_scenes(void)
     static const char *const names[] = {"cloud", "giant", "cloth",
                                         "bullet", "pile"};
     for (int scene = 0; scene < 5; scene++)
-        for (int row = 1; row < broad_count; row++) {
+        for (int row = 1; row < broad_phase_count; row++) {
             const struct built_in *kind = find_built_in(names[scene]);
             const uint32_t size = scene < 2 ? 12 : 8;
-            struct simulation s =
-                simulation_of(build_scene(kind, size, 3), &broads[row],
-                              kind->dt, 1 + row % 3);
+            struct simulation s = simulation_of(
+                build_scene(kind, size, 3), &broad_phases[row],
+                kind->dt, 1 + row % 3);
             struct pairs plain = {0};
             for (int step = 0; step < 5; step++) {
                 take_step(&s);
                 const struct broad_search all = {
                     &s.boxes, s.scene.group, &plain, 1};
-                find_pairs(&broads[0], NULL, &all);
+                find_pairs(&broad_phases[0], NULL, &all);
                 CHECK(same_pairs(&s.pairs, &plain), "%s, %s, step %d",
-                      names[scene], broads[row].name, step);
+                      names[scene], broad_phases[row].name, step);
             }
             pairs_free(&plain);
             simulation_free(&s);
@@ -216,20 +216,20 @@ void work_grows_linearly(void)
     static const char *const names[] = {"kd-tree-anew", "orthotree",
                                         "cells", "clusters"};
     for (int name = 0; name < 4; name++) {
-        const struct broad *broad = find_broad(names[name]);
+        const struct broad_phase *phase = find_broad_phase(names[name]);
         double tested[2], found[2];
         for (int size = 0; size < 2; size++) {
             struct boxes boxes = {0};
             struct pairs pairs = {0};
             const uint32_t n = size ? 64000 : 8000;
             draw_runs(&boxes, n);
-            void *kept = broad->begin(broad);
+            void *kept = phase->begin(phase);
             const struct broad_search search = {&boxes, NULL, &pairs,
                                                 2};
-            find_pairs(broad, kept, &search);
+            find_pairs(phase, kept, &search);
             tested[size] = (double)pairs.tested / n;
             found[size] = (double)pairs.count / n;
-            broad->end(kept);
+            phase->end(kept);
             boxes_free(&boxes);
             pairs_free(&pairs);
         }
@@ -249,7 +249,7 @@ static void count_step(uint32_t side, const char *broad,
     fill_cloud(&scene, side * side * side, 1, 1);
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad(broad), 0.05, 1);
+        simulation_of(scene, find_broad_phase(broad), 0.05, 1);
     const double n = s.scene.mesh.triangles;
     for (int step = 0; step < 7; step++) {
         const struct step_report report = take_step(&s);
@@ -285,7 +285,7 @@ void nothing_is_allocated(void)
         const struct built_in *cloud = find_built_in("cloud");
         struct simulation s =
             simulation_of(build_scene(cloud, 27, 5),
-                          find_broad(names[name]), 1e-9, 1);
+                          find_broad_phase(names[name]), 1e-9, 1);
         take_step(&s);
         const struct boxes boxes = s.boxes;
         const struct pairs pairs = s.pairs;
@@ -302,10 +302,11 @@ void nothing_is_allocated(void)
 
 void tables_are_searched(void)
 {
-    for (int row = 0; row < broad_count; row++)
-        CHECK(find_broad(broads[row].name) == &broads[row], "%s",
-              broads[row].name);
-    CHECK(!find_broad("none"), "none");
+    for (int row = 0; row < broad_phase_count; row++)
+        CHECK(find_broad_phase(broad_phases[row].name) ==
+                  &broad_phases[row],
+              "%s", broad_phases[row].name);
+    CHECK(!find_broad_phase("none"), "none");
     for (int row = 0; row < built_in_count; row++)
         CHECK(find_built_in(built_ins[row].name) == &built_ins[row],
               "%s", built_ins[row].name);

@@ -18,9 +18,9 @@ void ranges_are_checked(void)
 {
     const double good[] = {0, -0.0, 1, -1, 0x1p-280, -0x1p+280};
     const double bad[] = {0x1p-281, -0x1p+281, NAN, INFINITY, 5e-324};
-    CHECK(exact_range(good, 6), "good coordinates");
+    CHECK(within_exact_bounds(good, 6), "good coordinates");
     for (int k = 0; k < 5; k++)
-        CHECK(!exact_range(&bad[k], 1), "bad coordinate %d", k);
+        CHECK(!within_exact_bounds(&bad[k], 1), "bad coordinate %d", k);
 }
 
 static int wide_orientation3(int64_t p[4][3])

@@ -12,10 +12,10 @@ static inline uint32_t pair_count(uint32_t usual)
                    wanted ? (uint32_t)atoi(wanted) : usual);
 }
 
-// From -most to most.
-static inline int64_t pick(struct random *random, int64_t most)
+// From -max to max.
+static inline int64_t pick(struct random *random, int64_t max)
 {
-    return (int64_t)(random_bits(random) % (2 * most + 1)) - most;
+    return (int64_t)(random_bits(random) % (2 * max + 1)) - max;
 }
 
 void ranges_are_checked(void);

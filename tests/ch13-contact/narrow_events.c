@@ -52,7 +52,7 @@ static void check_event(const struct event *event,
     CHECK(event->time >= 0 && event->time <= 1, "%s: time", what);
 }
 
-static bool meets(enum contact kind, const struct moving node[4],
+static bool meets(enum feature_kind kind, const struct moving node[4],
                   double tolerance, struct event *event,
                   struct event_counts *counts)
 {
@@ -142,7 +142,7 @@ static void plan_nodes(enum plan plan, struct moving node[4],
 }
 
 // Moves the first node so that there is contact at the time.
-static void plan_contact(enum contact kind, struct moving node[4],
+static void plan_contact(enum feature_kind kind, struct moving node[4],
                          double time, struct random *random)
 {
     const int i = random_bits(random) % 5;
@@ -257,25 +257,25 @@ enum { SCENES = 6 };
 static void make_scene(int kind, struct moving_triangle *p,
                        uint32_t number, struct random *random)
 {
-    const int most = kind == 2 ? 2 : 1 << 12;
+    const int max = kind == 2 ? 2 : 1 << 12;
     const double unit = kind == 2 ? 0.5 : 0x1p-12;
     double shift[3];
     for (int x = 0; x < 3; x++) {
-        shift[x] = unit * pick(random, most);
-        double middle = kind == 5 ? unit * pick(random, most / 4) : 0;
+        shift[x] = unit * pick(random, max);
+        double middle = kind == 5 ? unit * pick(random, max / 4) : 0;
         for (int k = 0; k < 3; k++) {
             double *begin = p->corner[k].begin, *end = p->corner[k].end;
             begin[x] = middle + (kind == 5 ? 0.125 : 1) * unit *
-                                    pick(random, most);
+                                    pick(random, max);
             end[x] = kind == 4 ? begin[x]
-                               : begin[x] + unit * pick(random, most);
+                               : begin[x] + unit * pick(random, max);
             if (kind == 3 && x == 2)
                 begin[x] = end[x] = shift[x] = 0;
             p->node[k] = number + k;
         }
     }
     if (kind == 1 || kind == 5)
-        move_rigidly(p, unit * pick(random, most), shift);
+        move_rigidly(p, unit * pick(random, max), shift);
     if (kind == 2)
         move_rigidly(p, 0, shift);
 }
@@ -308,8 +308,8 @@ void sampled_contacts_are_found(void)
             make_scene(kind, &p, 0, &random);
             make_scene(kind, &q, 3, &random);
             const double meeting = first_meeting(&p, &q);
-            const size_t events =
-                triangle_events(&p, &q, TOLERANCE, event, NULL);
+            const size_t events = triangle_events(
+                &p, &q, TOLERANCE, event, &(struct event_counts){0});
             check_events(&p, &q, event, events);
             if (meeting == 0 || meeting > 1)
                 continue; // an event is no mistake
@@ -363,7 +363,7 @@ void what_stays_apart_has_no_event(void)
     test_seed(1306);
     struct event_counts counts = {0};
     for (uint32_t i = 0; i < n; i++) {
-        const enum contact kind = i % 2;
+        const enum feature_kind kind = i % 2;
         const double tolerance = ldexp(1, -4 - (int)(i % 17));
         struct moving node[4];
         struct event event;
@@ -397,7 +397,8 @@ void a_bullet_hits_a_sheet(void)
             {3, 4, 5}};
         struct event event[MAX_EVENTS];
         const size_t n =
-            triangle_events(&sheet, &bullet, tolerance, event, NULL);
+            triangle_events(&sheet, &bullet, tolerance, event,
+                            &(struct event_counts){0});
         CHECK(n >= 3, "speed %g: %zu events", z, n);
         double first = 1;
         for (size_t i = 0; i < n; i++)
@@ -459,12 +460,17 @@ void shared_nodes_are_no_contact(void)
     const double begin[3] = {1, 2, 3}, end[3] = {1, 2, -1};
     memcpy(q.corner[2].begin, begin, sizeof begin);
     memcpy(q.corner[2].end, end, sizeof end);
-    if (CHECK_INT(1, triangle_events(&p, &q, 1e-6, event, NULL),
+    if (CHECK_INT(1,
+                  triangle_events(&p, &q, 1e-6, event,
+                                  &(struct event_counts){0}),
                   "folded")) {
         CHECK_NEAR(0.75, event[0].time, 1e-6, "time");
         CHECK_INT(3, event[0].node[0], "node");
     }
-    CHECK_INT(0, triangle_events(&p, &p, 1e-6, event, NULL), "itself");
+    CHECK_INT(
+        0,
+        triangle_events(&p, &p, 1e-6, event, &(struct event_counts){0}),
+        "itself");
 }
 
 // Powers of two change no digit of what is found.
@@ -475,7 +481,7 @@ void scales_make_no_difference(void)
     test_seed(1307);
     static const double scales[] = {0x1p+200, 0x1p-200};
     for (uint32_t i = 0; i < n; i++) {
-        const enum contact kind = i % 2;
+        const enum feature_kind kind = i % 2;
         struct moving node[4], scaled[4];
         plan_nodes(i % PLANS, node, &random);
         plan_contact(kind, node, 0.75, &random);
@@ -486,8 +492,11 @@ void scales_make_no_difference(void)
                 scaled[k].end[x] = scale * node[k].end[x];
             }
         struct event one = {0}, other = {0};
-        CHECK(meets(kind, node, TOLERANCE, &one, NULL), "as it is");
-        CHECK(meets(kind, scaled, scale * TOLERANCE, &other, NULL),
+        CHECK(meets(kind, node, TOLERANCE, &one,
+                    &(struct event_counts){0}),
+              "as it is");
+        CHECK(meets(kind, scaled, scale * TOLERANCE, &other,
+                    &(struct event_counts){0}),
               "scaled");
         CHECK_DOUBLE(one.time, other.time, "time");
         for (int k = 0; k < 4; k++)

@@ -7,14 +7,14 @@
 static void put(struct scene *scene, bool ball, double size,
                 double height)
 {
-    const struct mesh_end since = mesh_end(&scene->mesh);
+    const struct mesh_mark since = mesh_mark(&scene->mesh);
     if (ball)
         add_sphere(&scene->mesh, 1);
     else
         add_box(&scene->mesh, 1);
-    scene_add(
-        scene, since,
-        &(struct start){RIGID, size, .place = {0.01, 0.02, height}});
+    scene_add(scene, since,
+              &(struct initial_state){
+                  RIGID, size, .position = {0.01, 0.02, height}});
 }
 
 // A box of height 1 over a floor, and a ball or another box above it.
@@ -22,13 +22,13 @@ static struct simulation over_a_floor(bool ball, double size,
                                       double height)
 {
     struct scene scene = {.gravity = {0, 0, -10}};
-    const struct mesh_end since = mesh_end(&scene.mesh);
-    add_cloth(&scene.mesh, 1);
-    scene_add(&scene, since, &(struct start){FIXED, 9});
+    const struct mesh_mark since = mesh_mark(&scene.mesh);
+    add_square_sheet(&scene.mesh, 1);
+    scene_add(&scene, since, &(struct initial_state){FIXED, 9});
     put(&scene, false, 0.5, 0.6);
     put(&scene, ball, size, height);
     scene_complete(&scene);
-    return simulation_of(scene, find_broad("clusters"), 0.01, 1);
+    return simulation_of(scene, find_broad_phase("clusters"), 0.01, 1);
 }
 
 void a_blow_wakes_a_body(void)
@@ -48,8 +48,8 @@ void a_blow_wakes_a_body(void)
         CHECK_INT(0, count_crossing(&s), "step %d", step);
     }
     CHECK(woke, "the ball has hit the box");
-    CHECK(ball->place[2] > 0.2, "and not gone through: %g",
-          ball->place[2]);
+    CHECK(ball->position[2] > 0.2, "and not gone through: %g",
+          ball->position[2]);
     simulation_free(&s);
 }
 
@@ -71,7 +71,7 @@ void a_body_wakes_when_its_support_goes(void)
     for (int step = 0; step < 150; step++)
         take_step(&s);
     CHECK_INT(2, s.sleepers.asleep, "two boxes");
-    const double height = upper->place[2];
+    const double height = upper->position[2];
     CHECK(height > 1.4, "one on the other: %g", height);
 
     lower->motion = RIGID;
@@ -82,8 +82,8 @@ void a_body_wakes_when_its_support_goes(void)
         take_step(&s);
         CHECK_INT(0, count_crossing(&s), "step %d", step);
     }
-    CHECK(upper->place[2] < height - 0.5, "it has come down: %g",
-          upper->place[2]);
+    CHECK(upper->position[2] < height - 0.5, "it has come down: %g",
+          upper->position[2]);
     simulation_free(&s);
 }
 
@@ -91,8 +91,9 @@ void a_heap_rests_for_long(void)
 {
     const uint32_t steps = at_most("MOST_CASES", 3000);
     const struct built_in *pile = find_built_in("pile");
-    struct simulation s = simulation_of(
-        build_scene(pile, 10, 2), find_broad("clusters"), pile->dt, 1);
+    struct simulation s =
+        simulation_of(build_scene(pile, 10, 2),
+                      find_broad_phase("clusters"), pile->dt, 1);
     uint64_t awake = 0, pairs = 0;
     for (uint32_t step = 1; step <= steps; step++) {
         const struct step_report report = take_step(&s);

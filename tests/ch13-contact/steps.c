@@ -1,8 +1,8 @@
 // Scenes in motion: nothing is missed, and nothing crosses.
 #include "ch13-contact/exact.h"
-#include "ch13-contact/kept_apart.h"
 #include "ch13-contact/motion.h"
 #include "ch13-contact/scenes.h"
+#include "ch13-contact/separating_axis.h"
 #include "ch13-contact/shapes.h"
 #include "ch13-contact/step.h"
 #include "common/random.h"
@@ -15,8 +15,8 @@ static struct simulation simulate(const char *scene, uint32_t size,
                                   const char *broad, int threads)
 {
     const struct built_in *kind = find_built_in(scene);
-    return simulation_of(build_scene(kind, size, 2), find_broad(broad),
-                         kind->dt, threads);
+    return simulation_of(build_scene(kind, size, 2),
+                         find_broad_phase(broad), kind->dt, threads);
 }
 
 static bool same_events(const struct events *a, const struct events *b)
@@ -27,7 +27,8 @@ static bool same_events(const struct events *a, const struct events *b)
         const struct event *x = &a->all.event[e];
         const struct event *y = &b->all.event[e];
         if (compare_features(x, y) != 0 || x->time != y->time ||
-            memcmp(x->weight, y->weight, sizeof x->weight) != 0)
+            memcmp(x->weight, y->weight, sizeof x->weight) != 0 ||
+            memcmp(x->point, y->point, sizeof x->point) != 0)
             return false;
     }
     return true;
@@ -41,7 +42,7 @@ static void pair_all(const struct scene *scene, struct pairs *pairs)
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t j = i + 1; j < n; j++)
             if (scene->group[i] != scene->group[j] ||
-                scene->group[i] == UINT32_MAX)
+                scene->group[i] == NO_INDEX)
                 pair_add(&pairs->list[0], i, j);
     pairs_gather(pairs, n);
 }
@@ -58,9 +59,15 @@ static void compare_with_all_pairs(struct simulation *s,
     capture(&s->boxes, &s->scene, tolerance, 1);
     const struct broad_search search = {&s->boxes, s->scene.group,
                                         &s->pairs, 1};
-    find_pairs(s->broad, s->kept, &search);
+    find_pairs(s->broad_phase, s->kept, &search);
     pair_all(&s->scene, &pairs);
-    struct event_search of = {&s->scene, &pairs, tolerance,
+    memset(s->stopped_in_round, 0,
+           s->scene.mesh.nodes * sizeof *s->stopped_in_round);
+    struct event_search of = {.scene = &s->scene,
+                              .pairs = &pairs,
+                              .tolerance = tolerance,
+                              .stopped_in_round = s->stopped_in_round,
+                              .round = 1,
                               .threads = 1};
     find_events(&all, &of);
     of.pairs = &s->pairs;
@@ -97,22 +104,22 @@ void boxes_have_their_margin(void)
         const double tolerance = tight ? 1e-12 : 0.05;
         capture(&s.boxes, &s.scene, tolerance, 1);
         for (uint32_t t = 0; t < s.boxes.n; t++) {
-            double least = INFINITY, width = 0;
+            double margin = INFINITY, width = 0;
             for (int k = 0; k < 3; k++) {
                 double low = INFINITY, high = -INFINITY;
                 for (int c = 0; c < 6; c++) {
-                    const double *x =
-                        c < 3 ? s.scene.mesh.x[k] : s.scene.end[k];
+                    const double *x = c < 3 ? s.scene.mesh.x[k]
+                                            : s.scene.predicted[k];
                     const uint32_t i = s.scene.mesh.corner[t][c % 3];
                     low = fmin(low, x[i]);
                     high = fmax(high, x[i]);
                 }
-                least = fmin(least, low - s.boxes.low[k][t]);
-                least = fmin(least, s.boxes.high[k][t] - high);
+                margin = fmin(margin, low - s.boxes.low[k][t]);
+                margin = fmin(margin, s.boxes.high[k][t] - high);
                 width = fmax(width, high - low);
             }
-            CHECK(least >= 0.5 * tolerance + 0x1p-29 * width,
-                  "box %u: margin %g at width %g", t, least, width);
+            CHECK(margin >= 0.5 * tolerance + 0x1p-29 * width,
+                  "box %u: margin %g at width %g", t, margin, width);
         }
     }
     simulation_free(&s);
@@ -150,9 +157,9 @@ void apart_means_no_event(void)
         const double tolerance = k % 2 ? 1e-9 : 0.03;
         draw_triangle(&p, 0, reach, &random);
         draw_triangle(&q, 3, reach, &random);
-        const bool apart = kept_apart(&p, &q, tolerance);
-        const size_t count =
-            triangle_events(&p, &q, tolerance, event, NULL);
+        const bool apart = has_separating_axis(&p, &q, tolerance);
+        const size_t count = triangle_events(&p, &q, tolerance, event,
+                                             &(struct event_counts){0});
         CHECK(!apart || count == 0, "case %u", k);
         told += apart;
         without += count == 0;
@@ -188,8 +195,8 @@ static double highest(const struct scene *scene)
     double highest = 0;
     for (uint32_t b = 0; b < scene->bodies; b++)
         if (scene->body[b].motion != FIXED &&
-            scene->body[b].place[2] > highest)
-            highest = scene->body[b].place[2];
+            scene->body[b].position[2] > highest)
+            highest = scene->body[b].position[2];
     return highest;
 }
 
@@ -219,11 +226,11 @@ void a_ball_comes_to_rest(void)
     double place[3] = {0};
     for (int step = 0; step < 600; step++) {
         if (step == 500)
-            memcpy(place, s.scene.body[5].place, sizeof place);
+            memcpy(place, s.scene.body[5].position, sizeof place);
         take_step(&s);
     }
     for (int k = 0; k < 3; k++)
-        CHECK_NEAR(place[k], s.scene.body[5].place[k], 0.02,
+        CHECK_NEAR(place[k], s.scene.body[5].position[k], 0.02,
                    "coordinate %d", k);
     CHECK(place[2] > 0.2 && place[2] < 1, "on the floor: %g", place[2]);
     simulation_free(&s);
@@ -236,33 +243,33 @@ void a_bullet_is_stopped(void)
     for (int step = 0; step < 8; step++)
         events += take_step(&s).events;
     CHECK(events > 0, "events");
-    CHECK(s.scene.body[1].place[2] > 0, "before the sheet: %g",
-          s.scene.body[1].place[2]);
+    CHECK(s.scene.body[1].position[2] > 0, "before the sheet: %g",
+          s.scene.body[1].position[2]);
     simulation_free(&s);
 
     s = simulate("bullet", 8, "clusters", 1);
     s.passive = true;
     for (int step = 0; step < 8; step++) {
-        const double before = s.scene.body[1].place[2];
+        const double before = s.scene.body[1].position[2];
         const struct step_report report = take_step(&s);
-        const double after = s.scene.body[1].place[2];
+        const double after = s.scene.body[1].position[2];
         if (before * after < 0)
             CHECK(report.events > 0, "found in step %d", step);
         CHECK_INT(0, count_crossing(&s), "step %d", step);
     }
-    CHECK(s.scene.body[1].place[2] < 0, "behind the sheet");
+    CHECK(s.scene.body[1].position[2] < 0, "behind the sheet");
     simulation_free(&s);
 }
 
 void a_resting_cloth_has_no_contact(void)
 {
     struct scene scene = {0};
-    const struct mesh_end since = mesh_end(&scene.mesh);
-    add_cloth(&scene.mesh, 10);
-    scene_add(&scene, since, &(struct start){SOFT});
+    const struct mesh_mark since = mesh_mark(&scene.mesh);
+    add_square_sheet(&scene.mesh, 10);
+    scene_add(&scene, since, &(struct initial_state){SOFT});
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad("kd-tree"), 0.01, 1);
+        simulation_of(scene, find_broad_phase("kd-tree"), 0.01, 1);
     const struct step_report report = take_step(&s);
     CHECK(report.candidates >= 200, "neighbors are candidates");
     CHECK_INT(0, report.events, "and touch nothing");
@@ -286,22 +293,23 @@ void a_folding_cloth_has_contacts(void)
 void bodies_turn(void)
 {
     struct scene scene = {0};
-    const struct mesh_end since = mesh_end(&scene.mesh);
+    const struct mesh_mark since = mesh_mark(&scene.mesh);
     add_box(&scene.mesh, 1);
     scene_add(&scene, since,
-              &(struct start){RIGID, 0.5, .spin = {0, 0, acos(0)}});
+              &(struct initial_state){
+                  RIGID, 0.5, .angular_velocity = {0, 0, acos(0)}});
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad("clusters"), 1e-3, 1);
+        simulation_of(scene, find_broad_phase("clusters"), 1e-3, 1);
     for (int step = 0; step < 1000; step++)
         take_step(&s);
     const struct mesh *m = &s.scene.mesh;
     for (uint32_t i = 0; i < m->nodes; i++) {
-        const double *rest[] = {s.scene.rest[0], s.scene.rest[1],
-                                s.scene.rest[2]};
-        CHECK_NEAR(-rest[1][i], m->x[0][i], 1e-5, "x of node %u", i);
-        CHECK_NEAR(rest[0][i], m->x[1][i], 1e-5, "y of node %u", i);
-        CHECK_NEAR(rest[2][i], m->x[2][i], 1e-5, "z of node %u", i);
+        const double *local[] = {s.scene.local[0], s.scene.local[1],
+                                 s.scene.local[2]};
+        CHECK_NEAR(-local[1][i], m->x[0][i], 1e-5, "x of node %u", i);
+        CHECK_NEAR(local[0][i], m->x[1][i], 1e-5, "y of node %u", i);
+        CHECK_NEAR(local[2][i], m->x[2][i], 1e-5, "z of node %u", i);
     }
     simulation_free(&s);
 }
@@ -312,22 +320,22 @@ static double way_of_near_boxes(double gap)
 {
     struct scene scene = {0};
     for (int k = 0; k < 2; k++) {
-        const struct mesh_end since = mesh_end(&scene.mesh);
+        const struct mesh_mark since = mesh_mark(&scene.mesh);
         const double side = k ? 1 : -1;
         add_box(&scene.mesh, 1);
         scene_add(&scene, since,
-                  &(struct start){RIGID, 1,
-                                  .place = {side * (1 + gap / 2)},
-                                  .velocity = {side}});
+                  &(struct initial_state){
+                      RIGID, 1, .position = {side * (1 + gap / 2)},
+                      .velocity = {side}});
     }
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad("clusters"), 0.01, 1);
+        simulation_of(scene, find_broad_phase("clusters"), 0.01, 1);
     CHECK_INT(0, count_crossing(&s), "at first");
-    const double begin = s.scene.body[1].place[0];
+    const double begin = s.scene.body[1].position[0];
     for (int step = 0; step < 10; step++)
         take_step(&s);
-    const double way = s.scene.body[1].place[0] - begin;
+    const double way = s.scene.body[1].position[0] - begin;
     simulation_free(&s);
     return way;
 }

@@ -25,6 +25,12 @@ run --scene bullet -n 6 --steps 8 --events -o - -t 4 -a sweep
 says 'the same contacts by threads' "$(cat one)" "$(cat "$out")"
 says 'a bullet has contacts' yes \
     "$([ "$(wc -l <one)" -gt 1 ] && echo yes)"
+cloth="--scene cloth -n 20 --steps 30 --passive --events -o -"
+run $cloth -t 1
+cp "$out" one
+run $cloth -t 4
+says 'the same, where edges are touched twice' "$(cat one)" \
+    "$(cat "$out")"
 rm one
 
 # A scene in a file: two spheres that meet in the middle, radius 1, at

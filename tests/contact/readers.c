@@ -71,7 +71,7 @@ static void shapes_are_closed(void)
     }
     add_box(&m, 3);
     CHECK_NEAR(48, volume6(&m), 1e-9, "six times the volume of a box");
-    add_cloth(&m, 5);
+    add_square_sheet(&m, 5);
     CHECK_INT(108 + 50, m.triangles, "box and cloth");
     CHECK_INT(56 + 36, m.nodes, "box and cloth");
     mesh_free(&m);
@@ -81,7 +81,7 @@ static void equal_nodes_are_merged(void)
 {
     struct mesh m = {0};
     mesh_add_node(&m, 0, 0, 0);
-    const struct mesh_end since = mesh_end(&m);
+    const struct mesh_mark since = mesh_mark(&m);
     for (uint32_t k = 0; k < 2; k++) {
         const uint32_t a = mesh_add_node(&m, k ? -0.0 : 0.0, 0, 0);
         mesh_add_node(&m, 1, 0, 0);

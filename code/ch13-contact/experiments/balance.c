@@ -6,34 +6,21 @@
 //
 //     balance [BODIES [STEPS]]
 #include "ch13-contact/experiments/setting.h"
-#include "ch13-contact/kept_apart.h"
+#include "ch13-contact/separating_axis.h"
 #include "common/chunk.h"
 #include "common/min_max.h"
 
 static const int threads[] = {2, 4, 8, 16, 32, 64};
 
-static struct moving_triangle moving_of(const struct scene *scene,
-                                        uint32_t t)
-{
-    struct moving_triangle moving;
-    for (int c = 0; c < 3; c++) {
-        moving.node[c] = scene->mesh.corner[t][c];
-        for (int k = 0; k < 3; k++) {
-            const uint32_t i = moving.node[c];
-            moving.corner[c].begin[k] = scene->mesh.x[k][i];
-            moving.corner[c].end[k] = scene->end[k][i];
-        }
-    }
-    return moving;
-}
-
 static double work_of(const struct simulation *s, struct pair pair)
 {
     struct event event[MAX_EVENTS];
     struct event_counts counts = {0};
-    const struct moving_triangle p = moving_of(&s->scene, pair.one);
-    const struct moving_triangle q = moving_of(&s->scene, pair.other);
-    if (kept_apart(&p, &q, s->tolerance))
+    const struct moving_triangle p =
+        moving_triangle_of(&s->scene, pair.one);
+    const struct moving_triangle q =
+        moving_triangle_of(&s->scene, pair.other);
+    if (has_separating_axis(&p, &q, s->tolerance))
         return 1;
     triangle_events(&p, &q, s->tolerance, event, &counts);
     return 1 + (double)counts.tests + (double)counts.pieces;
@@ -45,7 +32,7 @@ static double work_of(const struct simulation *s, struct pair pair)
 static double imbalance(const struct simulation *s, const double *work,
                         int parts, bool triangles)
 {
-    double most = 0, all = 0;
+    double largest = 0, all = 0;
     for (int k = 0; k < parts; k++) {
         const uint32_t n = triangles ? s->scene.mesh.triangles
                                      : (uint32_t)s->pairs.count;
@@ -57,10 +44,10 @@ static double imbalance(const struct simulation *s, const double *work,
         double sum = 0;
         for (uint64_t p = first; p < last; p++)
             sum += work ? work[p] : 1;
-        most = MAX(most, sum);
+        largest = MAX(largest, sum);
         all += sum;
     }
-    return all > 0 ? most * parts / all : 1;
+    return all > 0 ? largest * parts / all : 1;
 }
 
 // Runs of 64 pairs, each to the thread that is free first.
@@ -68,7 +55,7 @@ static double imbalance_dynamic(const struct simulation *s,
                                 const double *work, int parts)
 {
     enum { RUN = 64 };
-    double busy[64] = {0}, all = 0, most = 0;
+    double busy[64] = {0}, all = 0, largest = 0;
     for (uint64_t p = 0; p < s->pairs.count; p += RUN) {
         int first = 0;
         for (int k = 1; k < parts; k++)
@@ -79,8 +66,8 @@ static double imbalance_dynamic(const struct simulation *s,
         }
     }
     for (int k = 0; k < parts; k++)
-        most = MAX(most, busy[k]);
-    return all > 0 ? most * parts / all : 1;
+        largest = MAX(largest, busy[k]);
+    return all > 0 ? largest * parts / all : 1;
 }
 
 int main(int argc, char **argv)
@@ -91,7 +78,7 @@ int main(int argc, char **argv)
     const struct built_in *pile = find_built_in("pile");
     struct simulation s =
         simulation_of(build_scene(pile, bodies, 1),
-                      find_broad("clusters"), pile->dt, 1);
+                      find_broad_phase("clusters"), pile->dt, 1);
     s.sleepers.patience = 0; // all pairs are tested
     for (uint32_t step = 0; step < steps; step++)
         take_step(&s);

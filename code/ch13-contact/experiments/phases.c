@@ -12,12 +12,12 @@ static const char *const names[] = {"clusters", "clusters-prune",
 
 static void print_phases(const char *name, uint32_t n, int trials)
 {
-    double ns[PHASES + 1][MOST_TRIALS], sum = 0, broad = 0;
+    double ns[PHASES + 1][MAX_TRIALS], sum = 0, broad = 0;
     struct scene scene = {0};
-    fill_cloud(&scene, n / 69 + 1, 1, 1);
+    fill_cloud(&scene, n / TRIANGLES_PER_BODY + 1, 1, 1);
     scene_complete(&scene);
     struct simulation s =
-        simulation_of(scene, find_broad(name), 0.05, 1);
+        simulation_of(scene, find_broad_phase(name), 0.05, 1);
     struct step_report report = {0};
     for (int step = 0; step < BEFORE; step++)
         take_step(&s);
@@ -47,13 +47,13 @@ static void print_phases(const char *name, uint32_t n, int trials)
 int main(int argc, char **argv)
 {
     struct experiment e = experiment_begin(argc, argv);
-    const uint32_t most =
+    const uint32_t max_n =
         parameter(&e, "TRIANGLES", 10000, 1000, 3000000);
-    const int trials = parameter(&e, "TRIALS", 3, 1, MOST_TRIALS);
+    const int trials = parameter(&e, "TRIALS", 3, 1, MAX_TRIALS);
     print_header(&e, "name broad n triangles candidates narrow events "
                      "broad_share predict:3 capture:3 broad_ns:3 "
                      "narrow_ns:3 handle:3 step:3");
-    for (uint32_t n = 1000; n <= most; n = next_size(n))
+    for (uint32_t n = 1000; n <= max_n; n = next_size(n))
         for (int k = 0; k < COUNT_OF(names); k++)
             print_phases(names[k], n, trials);
 }

@@ -19,7 +19,7 @@ static struct state state_of(const struct scene *scene)
         if (body->motion == FIXED)
             continue;
         state.bodies++;
-        state.height += body->place[2];
+        state.height += body->position[2];
         for (int k = 0; k < 3; k++)
             state.energy += 0.5 * body->velocity[k] * body->velocity[k];
     }
@@ -39,7 +39,7 @@ static void print_row(const struct simulation *s, uint32_t step,
         (double)report->tested, (double)report->candidates,
         (double)report->paired,
         (double)(report->paired - report->apart),
-        (double)report->events, report->touches,
+        (double)report->events, report->contacts,
         (double)report->stopped / s->scene.mesh.nodes, report->rounds,
         report->asleep, state.energy, state.height, (double)crossing);
 }
@@ -51,15 +51,16 @@ int main(int argc, char **argv)
     const uint32_t steps = parameter(&e, "STEPS", 300, 1, MANY);
     const uint32_t rows = parameter(&e, "ROWS", 30, 1, MANY);
     const struct built_in *pile = find_built_in("pile");
-    struct simulation s = simulation_of(
-        build_scene(pile, bodies, 1), find_broad("clusters"), pile->dt,
-        2); // counts, no times
+    struct simulation s =
+        simulation_of(build_scene(pile, bodies, 1),
+                      find_broad_phase("clusters"), pile->dt,
+                      2); // counts, no times
     const uint32_t gap = (steps + rows - 1) / rows;
     uint64_t crossing = 0;
     print_header(
         &e,
         "name step bodies triangles tested candidates paired narrow "
-        "events touches stopped rounds asleep energy height "
+        "events contacts stopped rounds asleep energy height "
         "crossing");
     for (uint32_t step = 1; step <= steps; step++) {
         const struct step_report report = take_step(&s);

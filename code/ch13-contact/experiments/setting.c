@@ -1,17 +1,16 @@
-// See setting.h.
+// Clouds in which bodies pass through each other, and the broad phase
+// of one step, timed.
 #include "ch13-contact/experiments/setting.h"
 #include "ch13-contact/motion.h"
 #include <math.h>
 
-enum { EACH = 69 }; // triangles of a body, on average
-
 struct simulation cloud_of(uint32_t triangles, bool giant,
-                           const struct broad *broad, double dt)
+                           const struct broad_phase *phase, double dt)
 {
-    const uint32_t bodies = triangles / EACH + 1;
+    const uint32_t bodies = triangles / TRIANGLES_PER_BODY + 1;
     struct scene scene = build_scene(
         find_built_in(giant ? "giant" : "cloud"), bodies, 1);
-    struct simulation s = simulation_of(scene, broad, dt, 1);
+    struct simulation s = simulation_of(scene, phase, dt, 1);
     s.passive = true;
     s.dt = 1;
     for (int step = 0; step < 2; step++) {
@@ -29,7 +28,7 @@ double time_broad(struct simulation *s)
     const struct broad_search search = {&s->boxes, s->scene.group,
                                         &s->pairs, s->threads};
     const int64_t start = clock_ns();
-    find_pairs(s->broad, s->kept, &search);
+    find_pairs(s->broad_phase, s->kept, &search);
     return (double)(clock_ns() - start);
 }
 
@@ -37,8 +36,8 @@ double time_broad(struct simulation *s)
 static void turn_round(struct body *body, double side)
 {
     for (int k = 0; k < 3; k++)
-        if ((body->place[k] < 0 && body->velocity[k] < 0) ||
-            (body->place[k] > side && body->velocity[k] > 0))
+        if ((body->position[k] < 0 && body->velocity[k] < 0) ||
+            (body->position[k] > side && body->velocity[k] > 0))
             body->velocity[k] *= -1;
 }
 
@@ -50,11 +49,12 @@ void go_on(struct simulation *s)
         if (body->motion != RIGID)
             continue;
         const struct pose pose = pose_after(body, s->dt);
-        memcpy(body->place, pose.place, sizeof pose.place);
-        memcpy(body->turn, pose.turn, sizeof pose.turn);
+        memcpy(body->position, pose.position, sizeof pose.position);
+        memcpy(body->orientation, pose.orientation,
+               sizeof pose.orientation);
         turn_round(body, side);
     }
     for (int k = 0; k < 3; k++)
-        memcpy(s->scene.mesh.x[k], s->scene.end[k],
+        memcpy(s->scene.mesh.x[k], s->scene.predicted[k],
                s->scene.mesh.nodes * sizeof(double));
 }

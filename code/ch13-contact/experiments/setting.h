@@ -4,14 +4,17 @@
 #include "ch13-contact/step.h"
 #include "common/experiment.h"
 
-enum { MOST_TRIALS = 25 };
+enum {
+    MAX_TRIALS = 25,
+    TRIANGLES_PER_BODY = 69 // on average
+};
 
 // A cloud of about so many triangles, at least, after some steps in
 // which bodies pass through each other; from then on they are apart no
 // more, and contacts are only found. With giant, beside a body of 20
 // large triangles. Released with simulation_free.
 struct simulation cloud_of(uint32_t triangles, bool giant,
-                           const struct broad *broad, double dt);
+                           const struct broad_phase *phase, double dt);
 
 // Predicts the next step, captures, and finds the pairs; says how long
 // the pairs took. Nothing is advanced.

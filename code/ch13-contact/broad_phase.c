@@ -1,6 +1,6 @@
 //> List the broad phases
 // From the one that needs no proof to those that are fast.
-#include "ch13-contact/broad.h"
+#include "ch13-contact/broad_phase.h"
 #include "ch13-contact/axis_sweep.h"
 #include "ch13-contact/by_structure.h"
 #include "ch13-contact/clusters.h"
@@ -10,9 +10,9 @@
 
 //> Look at all pairs
 // The bar: n (n - 1) / 2 tests, and nothing to keep.
-static void *begin_all(const struct broad *broad)
+static void *begin_all(const struct broad_phase *phase)
 {
-    (void)broad;
+    (void)phase;
     return NULL;
 }
 
@@ -27,7 +27,7 @@ static void find_all(void *kept, const struct broad_search *search)
         struct pair_list *list =
             &search->pairs->list[omp_get_thread_num()];
         for (uint32_t j = i + 1; j < n; j++)
-            consider(search, list, i, j);
+            add_if_overlapping(search, list, i, j);
         list->tested += n - i - 1;
     }
 }
@@ -41,7 +41,7 @@ static void end_all(void *kept)
 //> Fill the table of broad phases
 #define OF_STRUCTURE begin_structure, find_by_structure, end_structure
 #define OF_CLUSTERS begin_clusters, find_by_clusters, end_clusters
-const struct broad broads[] = {
+const struct broad_phase broad_phases[] = {
     {"all-pairs", "every pair of boxes", NULL, begin_all, find_all,
      end_all},
     {"scan", "low corners, looked at by lanes", "scan-lanes",
@@ -71,24 +71,25 @@ const struct broad broads[] = {
     {"clusters-prune", "the same, by sweep-and-prune",
      "sweep-and-prune", OF_CLUSTERS},
 };
-const int broad_count = sizeof broads / sizeof *broads;
+const int broad_phase_count =
+    sizeof broad_phases / sizeof *broad_phases;
 //<
 
-const struct broad *find_broad(const char *name)
+const struct broad_phase *find_broad_phase(const char *name)
 {
-    for (int row = 0; row < broad_count; row++)
-        if (strcmp(broads[row].name, name) == 0)
-            return &broads[row];
+    for (int row = 0; row < broad_phase_count; row++)
+        if (strcmp(broad_phases[row].name, name) == 0)
+            return &broad_phases[row];
     return NULL;
 }
 
 //> Find all pairs in order
-void find_pairs(const struct broad *broad, void *kept,
+void find_pairs(const struct broad_phase *phase, void *kept,
                 const struct broad_search *search)
 {
     pairs_begin(search->pairs, search->threads);
     if (search->boxes->n > 1)
-        broad->find(kept, search);
+        phase->find(kept, search);
     pairs_gather(search->pairs, search->boxes->n);
 }
 //<

@@ -1,7 +1,8 @@
 //> Declare the test by axes
-// Most candidates only have boxes that meet. What two triangles sweep
-// over is kept apart if along some direction one is behind the other,
-// at the beginning and at the end: twelve corners, no time in between.
+// Most candidates only have boxes that meet. Two moving triangles are
+// apart all the while if along some direction, a separating axis, one
+// is behind the other, at the beginning and at the end: twelve corners,
+// no time in between.
 #pragma once
 #include "ch13-contact/events.h"
 #include <stdbool.h>
@@ -11,6 +12,7 @@
 // edges, one of each. If triangles do not touch, one of the last 11
 // separates them (Gottschalk 1996), and goes on to if they move little.
 // False says nothing.
-bool kept_apart(const struct moving_triangle *p,
-                const struct moving_triangle *q, double tolerance);
+bool has_separating_axis(const struct moving_triangle *p,
+                         const struct moving_triangle *q,
+                         double tolerance);
 //<

@@ -1,10 +1,10 @@
-//> Test what is at rest
-// The pairs of a broad phase, one by one; those that share a node are
-// neighbors in their body.
-#include "ch13-contact/at_rest.h"
+//> Test without motion
+// The pairs of a broad phase, one by one, each by 15 signs at most;
+// those that share a node are neighbors in their body.
+#include "ch13-contact/static_test.h"
 #include "ch13-contact/triangle_pair.h"
 
-//> Count the pairs that meet at rest
+//> Count the pairs that meet now
 static bool share_a_node(const struct mesh *mesh, struct pair pair)
 {
     bool share = false;

@@ -7,7 +7,7 @@
 # demo: plot
 height = 2.7
 load "book/figures/style.gp"
-table = data . "/ch13-false.tsv"
+table = data . "/ch13-false-positives.tsv"
 above(x) = x > 0 ? x : NaN
 set logscale xy
 set xlabel "step, in radii of a body"
