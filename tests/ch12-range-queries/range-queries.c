@@ -10,6 +10,7 @@
 #include "ch12-range-queries/radix_sort.h"
 #include "ch12-range-queries/select.h"
 #include "ch12-range-queries/structures.h"
+#include "ch04-cell-sort/line.h"
 #include "common/allocate.h"
 #include "common/points.h"
 #include "harness.h"
@@ -386,12 +387,6 @@ static void nearest_of_each(void)
 }
 
 // ---- parts ---------------------------------------------------------
-static int compare_doubles(const void *one, const void *other)
-{
-    const double a = *(const double *)one, b = *(const double *)other;
-    return (a > b) - (a < b);
-}
-
 static void selection(void)
 {
     enum { MOST = 5000 };
@@ -407,7 +402,7 @@ static void selection(void)
                                    : (i % 2 ? 1 : value);
             }
             memcpy(sorted, x, sizeof x);
-            qsort(sorted, n, sizeof *sorted, compare_doubles);
+            sort_numbers(sorted, n);
             for (uint32_t rank = 0; rank < n; rank += n / 7 + 1)
                 CHECK_DOUBLE(sorted[rank],
                              select_rank(x, n, rank, room),
