@@ -74,7 +74,7 @@ mkdir "$place/student" "$place/instructor"
 cd "$place/student/$edition" || exit 1
 find . -path ./tests/press -prune -o -print >"$said"
 check "no solution for students, no mutant, no course" \
-    lacks 'solution\.c\|mutants\|/course\|book/manual\|solutions\.pdf'
+    lacks 'solution\.c\|mutants\|/course$\|/course/\|book/manual\|solutions\.pdf'
 check "but starters" says "4-back-in-order/starter.c"
 check "and the book" [ -s near-and-far.pdf ]
 check "and the slides" says "chapters/slides/ch04.md"

@@ -211,7 +211,7 @@ mkdir "$place/reader" && cd "$place/reader" &&
     tar xzf "$copy/build/handout/near-and-far.tar.gz"
 find . -path '*/tests/press' -prune -o -print >"$said"
 check "no solution, no mutant, no sheet" \
-    lacks 'solution\.c\|mutants\|/course\|book/manual'
+    lacks 'solution\.c\|mutants\|/course$\|/course/\|book/manual'
 check "but the starters" says "4-back-in-order/starter.c"
 grep -r '^::: \(answer\|reasoning\|marking\)' near-and-far/exercises >"$said"
 check "and no answer" [ ! -s "$said" ]
