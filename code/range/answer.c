@@ -80,11 +80,12 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
     return query.count;
 }
 
-// In the order in which it is written.
+// In the order in which it is written. There is room for the points of
+// boxes, or for neighbors with their distances.
 static struct answer keep(const struct task *task,
                           const struct room *room, uint32_t count)
 {
-    const bool boxes = task->options->question == BOXES;
+    const bool boxes = room->point != NULL;
     struct answer answer = {count, allocate(count, sizeof(uint32_t)),
                             boxes ? NULL
                                   : allocate(count, sizeof(double))};
