@@ -80,25 +80,27 @@ static uint32_t answer_place(const struct task *task, uint32_t q,
     return query.count;
 }
 
-// In the order in which it is written. There is room for the points of
-// boxes, or for neighbors with their distances.
-static struct answer keep(const struct task *task,
-                          const struct room *room, uint32_t count)
+// In the order in which they are written.
+static struct answer keep_points(const uint32_t *point, uint32_t count)
 {
-    const bool boxes = room->point != NULL;
-    struct answer answer = {count, allocate(count, sizeof(uint32_t)),
-                            boxes ? NULL
-                                  : allocate(count, sizeof(double))};
-    if (boxes) {
-        memcpy(answer.point, room->point, count * sizeof *answer.point);
-        qsort(answer.point, count, sizeof *answer.point, by_index);
-        return answer;
-    }
+    struct answer answer = {
+        count, allocate(count, sizeof *answer.point), NULL};
+    memcpy(answer.point, point, count * sizeof *point);
+    qsort(answer.point, count, sizeof *answer.point, by_index);
+    return answer;
+}
+
+static struct answer keep_neighbors(const struct task *task,
+                                    struct found *found, uint32_t count)
+{
+    struct answer answer = {count,
+                            allocate(count, sizeof *answer.point),
+                            allocate(count, sizeof *answer.distance2)};
     if (task->options->question == WITHIN)
-        sort_found(room->found, count);
+        sort_found(found, count);
     for (uint32_t k = 0; k < count; k++) {
-        answer.point[k] = room->found[k].index;
-        answer.distance2[k] = room->found[k].distance2;
+        answer.point[k] = found[k].index;
+        answer.distance2[k] = found[k].distance2;
     }
     return answer;
 }
@@ -126,7 +128,9 @@ void answer_batch(const struct task *task, uint32_t first,
                       : answer_place(task, q, &room, &mine);
             mine.found += count;
             if (answer)
-                answer[q - first] = keep(task, &room, count);
+                answer[q - first] =
+                    boxes ? keep_points(room.point, count)
+                          : keep_neighbors(task, room.found, count);
         }
         found = mine.found;
         steps = mine.steps;
