@@ -145,7 +145,7 @@ $(foreach c,$(mains),$(eval $(call link_rule,$(call program_of,$(c)),$(call obje
 # ---- tests ---------------------------------------------------------
 test_folders  := $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/*.c)))))
 # The longest first, or one would be left alone with a processor.
-longest       := exercises press sheet corpus grade release manual ch11-crowds
+longest       := exercises press sheet corpus grade release manual instructions ch11-crowds
 all_tests     := $(filter-out web browser,$(patsubst tests/%/.,%,$(wildcard tests/*/.)))
 TESTS         ?= $(filter $(all_tests),$(longest)) $(filter-out $(longest),$(all_tests))
 test_programs := $(test_folders:%=$(BUILD)/tests/%)
@@ -161,8 +161,8 @@ $(BUILD)/plain/tests/%.o: tests/%.c $(BUILD)/flags | $(BUILD)/setup/code
 emulated := $(patsubst %.c,$(BUILD)/plain/%.o,$(wildcard tests/instructions/*.c))
 $(emulated): tests/instructions/emulated/immintrin.h
 $(emulated): CPPFLAGS += -DEMULATED -isystem tests/instructions/emulated
-$(emulated): override CFLAGS += -O3 -Wno-psabi -fwrapv -fno-strict-aliasing \
-	-march=$(plainest)
+$(emulated): override CFLAGS += -Wno-psabi -fwrapv -fno-strict-aliasing \
+	-fno-sanitize=undefined -march=$(plainest)
 $(emulated): | $(BUILD)/setup/test
 
 # The sanitizers are for what is tested, not for what is right. clang
