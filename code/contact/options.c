@@ -42,7 +42,8 @@ static void take_option(void *options, int option)
         o->tolerance = parse_number("--tolerance", optarg, 1e-60, 1e60);
         break;
     case PICTURES:
-        o->pictures = parse_name("--pictures", optarg);
+        o->pictures =
+            parse_name("--pictures", "the name of a folder", optarg);
         break;
     case 'n':
         o->size = parse_count("-n", optarg, 1, UINT32_MAX);
@@ -57,7 +58,8 @@ static void take_option(void *options, int option)
         o->threads = parse_count("-t", optarg, 1, MAX_THREADS);
         break;
     case 'o':
-        o->output = parse_name("-o", optarg);
+        o->output =
+            parse_name("-o", "the name of a file, or -", optarg);
         break;
     }
 }

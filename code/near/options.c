@@ -33,7 +33,8 @@ static void take_letter(struct options *o, int option)
         o->trials = parse_count("-r", optarg, 1, 1000000);
         break;
     case 'o':
-        o->output = parse_name("-o", optarg);
+        o->output =
+            parse_name("-o", "the name of a file, or -", optarg);
         break;
     }
 }

@@ -69,10 +69,11 @@ uint64_t parse_seed(const char *text)
     return seed;
 }
 
-const char *parse_name(const char *option, const char *text)
+const char *parse_name(const char *option, const char *expected,
+                       const char *text)
 {
     if (!*text)
-        fail("%s: expected a name, found nothing", option);
+        fail("%s: expected %s, found nothing", option, expected);
     return text;
 }
 

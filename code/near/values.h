@@ -12,8 +12,9 @@ double parse_number(const char *option, const char *text, double min,
                     double max);
 double parse_distance(const char *option, const char *text);
 uint64_t parse_seed(const char *text);
-// Of a file or a folder: anything but nothing.
-const char *parse_name(const char *option, const char *text);
+// Anything but nothing; expected says what it names.
+const char *parse_name(const char *option, const char *expected,
+                       const char *text);
 struct columns parse_columns(const char *text);
 void parse_box(double box[static 4], const char *text);
 enum geometry parse_geometry(const char *text);

@@ -85,7 +85,8 @@ static void take_option(void *options, int option)
         o->trials = parse_count("-r", optarg, 1, 1000000);
         break;
     case 'o':
-        o->output = parse_name("-o", optarg);
+        o->output =
+            parse_name("-o", "the name of a file, or -", optarg);
         break;
     default:
         take_name(o, option);

@@ -113,9 +113,10 @@ double kit_growth(int count, const double *n, const double *cost);
 // How many times as long as the reference the student's function takes.
 // Each of the two functions makes one CALL, of 20 ms or more; they run
 // in turn, and the best times count: of the processor if it is for one
-// core, or else as the clock says. Does not return where the machine
-// has not so many cores, or where the times do not settle. With the
-// sanitizers there is nothing to measure: 0.
+// core, or else as the clock says; but fifty times is lost at once.
+// Does not return where the machine has not so many cores, or where the
+// times do not settle. With the sanitizers there is nothing to measure:
+// 0.
 struct kit_race {
     void (*student)(void), (*reference)(void);
     int cores;

@@ -34,7 +34,7 @@ ln -s nowhere dangling
 refuses 'a link to nowhere' 'cannot write dangling: No such file' \
     -n 10 -o dangling
 rm dangling
-refuses 'no name' '-o: expected a name' -n 10 -o ''
+refuses 'no name' '-o: expected the name of a file' -n 10 -o ''
 
 echo before >private.tsv && chmod 600 private.tsv
 "$near" -n 10 -o private.tsv
