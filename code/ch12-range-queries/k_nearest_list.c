@@ -1,7 +1,7 @@
 //> Keep the list of the k nearest
-// A short list is put in order by insertion. A long one is sorted as a
-// whole, but only once as many were appended as it keeps: m candidates
-// take O(m log k) steps.
+// A short list is put in order by insertion, a long one is sorted as a
+// whole: when as many were appended as it keeps, so that m candidates
+// take O(m log k) steps, and once at the end of each piece.
 #include "ch12-range-queries/k_nearest_list.h"
 #include "ch12-range-queries/point_set.h"
 #include "common/allocate.h"
