@@ -71,8 +71,8 @@ static struct interval interval_of(const struct scene *scene, int k,
 //> Add a margin that is enough
 // Half of the tolerance, of the two boxes together all of it; where the
 // widths w and v of the two set it, it is hardly more than 2^-40 of
-// w + v, and 2^-29 of each is ample; and more than rounding takes away,
-// 2^-52 of the coordinates.
+// w + v, and 2^-29 of each is ample; and 2^-50 of the coordinates, for
+// rounding takes away 2^-52 of them at most.
 static double margin_of(const struct interval in[3], double tolerance)
 {
     double width = 0, largest = 0;
