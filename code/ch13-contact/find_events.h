@@ -24,9 +24,10 @@ struct events {
 //<
 
 //> Hold a search for events
-// stopped_in_round[i] is the round in which node i was stopped, 0 if it
-// moves. Only pairs are tested in which a node was stopped in this
-// round and another one moves. In round 1, the first search, it is
+// stopped_in_round[i] is the first round that finds node i stopped: 1
+// if it cannot move at all, 2 if an event of round 1 has stopped it; 0
+// if it moves. Only pairs are tested in which a node was stopped in
+// this round and another one moves. In round 1, the first search, it is
 // enough that one moves.
 struct event_search {
     const struct scene *scene;

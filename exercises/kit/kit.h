@@ -120,6 +120,7 @@ double kit_growth(int count, const double *n, const double *cost);
 struct kit_race {
     void (*student)(void), (*reference)(void);
     int cores;
+    int trials; // of each at least; 0: five
 };
 double kit_race(struct kit_race race);
 
