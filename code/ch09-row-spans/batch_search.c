@@ -170,7 +170,7 @@ void share_chunks(const struct question *question, chunk_function *work,
     // A crowded cell is many chunks, for all threads. But a thread
     // takes some that follow each other, as long as there are plenty:
     // their results go to the same buckets.
-    const uint32_t share = chunks / 16 / (uint32_t)question->threads;
+    const uint32_t share = chunks / 4 / (uint32_t)question->threads;
     const int at_once = share < 1 ? 1 : share > 8 ? 8 : (int)share;
     //<
 #pragma omp parallel for num_threads(question->threads) \
