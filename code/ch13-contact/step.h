@@ -13,10 +13,10 @@ enum phase { PREDICT, CAPTURE, BROAD, NARROW, HANDLE, PHASES };
 struct step_report {
     uint64_t tested;     // pairs of boxes that were looked at
     uint64_t candidates; // pairs whose boxes meet
-    uint64_t apart;      // of these last, separated by an axis
+    uint64_t paired;     // of these, pairs in which something moves
+    uint64_t apart;      // of these, separated by an axis
     uint64_t hits;       // of the others, pairs with an event
     uint64_t events;     // each once
-    uint64_t paired;     // candidates of which something moves
     uint32_t contacts;   // remembered
     uint32_t asleep;     // bodies, after the step
     uint32_t stopped;    // nodes that stay where they are

@@ -31,9 +31,8 @@ slow = $(if $(shell grep -l slow_motion.h exercises/$(1)/tests.c),-fsanitize=thr
 exercises  := $(patsubst exercises/%/exercise.md,%,$(wildcard exercises/*/*/exercise.md))
 programmed := $(patsubst exercises/%/tests.c,%,$(wildcard exercises/*/*/tests.c))
 naive      := $(patsubst exercises/%/naive.c,%,$(wildcard exercises/*/*/naive.c))
-# No exercise reads files, or is an experiment.
-files      := collect experiment fields lines numbers point_line read_npy read_points report stream
-modules    := $(patsubst code/%.c,%,$(filter-out $(files:%=code/common/%.c),$(wildcard code/common/*.c)))
+# What the kit and the tests need of the book's modules.
+modules    := $(addprefix common/,allocate clock fail generate generate_crowds points random)
 kit_modules := kit judge confine fence marks threads slow_motion
 headers    := $(wildcard code/common/*.h exercises/kit/*.h)
 
