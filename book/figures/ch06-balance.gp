@@ -21,7 +21,7 @@ array a[2]; array q[2]
 do for [v = 1:2] {
   level = v == 1 ? "l1_ns" : "l2_ns"
   stats prices using (of("elementwise", level)) nooutput
-  a[v] = v == 1 ? 8.0 / 3 * STATS_max : 2 * STATS_max
+  a[v] = v == 1 ? 3 * STATS_max : 2 * STATS_max
   sum = 0
   do for [w = 1:5] {
     stats prices using (of(word("pack gather32_in_order gather_in_order scatter_in_order elementwise", w), level)) nooutput

@@ -38,7 +38,8 @@ struct primitives {
 
     // Moves the from[i] whose keep[i] is 1, not 0, to the front of
     // to[0 .. n-1], in order, and returns how many. Up to SPILL numbers
-    // behind them are overwritten. to and from may be the same.
+    // behind these may be overwritten, but none behind to[n-1]. to and
+    // from may be the same.
     uint32_t (*pack)(uint32_t *to, const uint32_t *from,
                      const uint8_t *keep, uint32_t n);
     //<
