@@ -11,7 +11,7 @@
 //> Hold the splitter tree
 // A complete binary tree: the two below node k are 2 k + 1 and 2 k + 2,
 // and a point goes to the second if neither coordinate is less than the
-// node's cut. One of the two cuts is -INFINITY.
+// node's cut. At least one of the two cuts is -INFINITY.
 struct splitter_tree {
     uint32_t depth, leaves; // leaves = 2^depth
     double *x, *y;          // of leaves - 1 nodes
