@@ -127,8 +127,8 @@ static void divide(const struct builder *builder, struct square square,
 
 //> Choose how many cells of candidates
 // Eight to thirty-two points to a cell. But on a circle, the worst
-// case, each of side^2 cells lists some corners / side. Together these
-// are side * corners entries; more than MAX_LISTED they must not be.
+// case, each of side^2 cells lists some corners / side, or half as many
+// again. So side * corners must not be more than MAX_LISTED.
 enum { POINTS_PER_CANDIDATE_CELL = 8, MAX_LISTED = 1 << 24 };
 
 static uint32_t side_for(uint32_t n, uint32_t corners)

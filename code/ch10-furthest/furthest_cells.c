@@ -60,7 +60,7 @@ INLINED void search_lanes(const enum geometry geometry,
 }
 //<
 
-//> Choose the copy for one query, or for eight
+//> Search from outside for one query
 void furthest_of_one(const struct far_scene *scene, uint32_t s,
                      struct neighbor *found, struct counts *counts)
 {
