@@ -26,8 +26,8 @@ _Static_assert(BATCH <= PAD, "so do eight places from a query on");
 
 // A squared distance beyond any that are compared, whose low bits are
 // 0, and a coordinate whose square is beyond that. What is at FAR is no
-// query's neighbor. A batch of fewer than eight has lanes without a
-// query; only these may name it.
+// query's neighbor. It may be named by a lane without a query, and by a
+// query that met no candidate, which is not certified.
 static const float FAR2 = 0x1p100f, FAR = 0x1p60f;
 //<
 
