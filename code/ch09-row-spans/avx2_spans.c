@@ -92,6 +92,7 @@ INLINED void keep_four(struct four_best *four, __m256d d2,
 }
 //<
 
+//> Compare a query with a row span, four at a time
 USE_AVX2
 INLINED void compare_span(const enum geometry geometry,
                           const struct scene *scene, uint32_t begin,
@@ -123,6 +124,7 @@ INLINED void compare_span(const enum geometry geometry,
     for (int lane = 0; lane < 4; lane++)
         query_keep(query, (uint32_t)nearest[lane], best2[lane]);
 }
+//<
 
 USE_AVX2
 static void compare_with_span(const struct scene *scene, uint32_t begin,

@@ -39,7 +39,7 @@ static struct corners corners_of(const struct moving_triangle *p,
 
 //> Compare along a direction
 // The gap must be more than the tolerance, and more than all rounding:
-// errors are some 2^-50 of the largest coordinate, apart has 2^-26.
+// errors are below 2^-48 of the largest coordinate, apart has 2^-26.
 static bool separates(const struct corners *corners,
                       const double axis[3])
 {

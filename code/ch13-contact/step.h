@@ -19,7 +19,7 @@ struct step_report {
     uint64_t events;     // each once
     uint32_t contacts;   // remembered
     uint32_t asleep;     // bodies, after the step
-    uint32_t stopped;    // nodes that stay where they are
+    uint32_t stopped;    // nodes, by events of this step
     uint32_t rounds;     // until nothing that moves has an event
     struct event_counts tests;
     int64_t ns[PHASES];
