@@ -57,8 +57,8 @@ INLINED void offer_critical(struct best *best, double key,
 //<
 
 //> Take the key away while its index changes
-// NAN in the key's place means that a thread is at work there. No
-// comparison with NAN is true, so that no thread turns away: all wait.
+// NAN in the key's place means that a thread is at work there. Nothing
+// is greater, less or equal to NAN, so no thread turns away: all wait.
 INLINED void offer_atomic(struct best *best, double key, uint32_t index)
 {
     double held =
